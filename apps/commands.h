@@ -1,0 +1,37 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+/// The program: commands, reports and plots. Each command prints its results to standard output, notes and progress to
+/// standard error.
+namespace bracket::apps {
+
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path folder;        ///< for the results; empty: the scene's stem + ".out" in the current directory
+  std::vector<std::string> overrides;  ///< "key=value"
+  bool json = false;                   ///< print the report as JSON alone
+  bool quiet = false;                  ///< print the interval alone
+};
+
+/// Solves a scene, writes the results to the folder and prints the report.
+/// \return the status of bounds::run
+/// \throw scene::Error; input also where the folder is refused or cannot be written, not_guaranteed where one of the
+///        formulations found no fields
+scene::Status run(const RunOptions& options);
+
+/// Prints all that is known of a scene short of solving it: data, mesh quality, matching of the contact sides,
+/// solvability.
+/// \throw scene::Error as run()
+void check(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+
+/// Prints bodies, boundary parts and quality of a mesh file.
+/// \throw scene::Error (input, mesh)
+void info(const std::filesystem::path& mesh);
+
+}  // namespace bracket::apps

@@ -1,0 +1,20 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace bracket::apps {
+
+/// Makes `folder` ready for the results of a run: creates it, or clears it of the files that an earlier run wrote there
+/// (a folder of results lists them in its file `.bracket`).
+/// \throw scene::Error (input) if it is not a folder, holds files but no `.bracket`, or cannot be written
+void prepare_folder(const std::filesystem::path& folder);
+
+/// Writes a file of results, under another name first, so that it is there as a whole or not at all.
+/// \pre prepare_folder(folder)
+/// \throw scene::Error (input) if it cannot be written
+void write_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
+
+}  // namespace bracket::apps

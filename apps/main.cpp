@@ -1,0 +1,92 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "apps/commands.h"
+#include "apps/version.h"
+
+namespace {
+
+using bracket::scene::Error;
+using bracket::scene::Status;
+
+constexpr const char* statuses =
+    "Exit status: 0 done, target reached (or none asked); 1 internal error; 2 usage or scene file; 3 mesh;\n"
+    "4 ill-posed problem; 5 budget spent before the target, the bounds hold; 6 the bounds could not be guaranteed.";
+
+// CLI11's messages may span lines; a diagnostic is one.
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+Status perform(int argc, char** argv) {
+  CLI::App app("Energies of elastic bodies in frictionless contact between two guaranteed bounds.", "bracket");
+  app.footer(statuses);
+  app.require_subcommand(0, 1);  // none is refused below: CLI11 would blame a misspelt command on its absence
+  app.set_version_flag("--version", bracket::apps::version_text(), "Print the versions of program and libraries");
+
+  bracket::apps::RunOptions options;
+  const auto add_scene = [&options](CLI::App* command) {
+    command->add_option("SCENE", options.scene, "The scene file (TOML)")->required();
+    command->add_option("--set", options.overrides, "Override a key of the scene; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+  };
+  CLI::App* run = app.add_subcommand("run", "Solve a scene and report the energy between its bounds");
+  add_scene(run);
+  run->add_option("-o", options.folder, "Folder for the results (default: the scene's name + .out)")
+      ->type_name("DIR")
+      ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
+  run->add_flag("--json", options.json, "Print the report as JSON alone");
+  run->add_flag("--quiet", options.quiet, "Print the interval alone");
+
+  CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
+  add_scene(check);
+
+  std::filesystem::path mesh;
+  CLI::App* info = app.add_subcommand("info", "Bodies, boundary parts and quality of a mesh file");
+  info->add_option("MESH", mesh, "The mesh file (Gmsh)")->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw Error(Status::input, one_line(error.what()) + " (see bracket --help)");
+    app.exit(error);  // --help or --version: prints it
+    return Status::done;
+  }
+  if (run->parsed()) return bracket::apps::run(options);
+  if (check->parsed()) bracket::apps::check(options.scene, options.overrides);
+  if (info->parsed()) bracket::apps::info(mesh);
+  if (app.get_subcommands().empty())
+    throw Error(Status::input, "expected a command: run, check or info (see bracket --help)");
+  return Status::done;
+}
+
+int fail(Status status, const std::string& line) {
+  fmt::print(stderr, "bracket: {}\n", line);
+  return static_cast<int>(status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Status status = perform(argc, argv);
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0) return fail(Status::input, "cannot write to standard output");
+    return static_cast<int>(status);
+  } catch (const Error& error) {
+    return fail(error.status(), error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(Status::internal, "the memory did not suffice; try fewer cells");
+  } catch (const std::exception& error) {
+    return fail(Status::internal, fmt::format("internal error: {}", error.what()));
+  }
+}

@@ -1,0 +1,130 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report.h"
+
+namespace bracket::apps {
+namespace {
+
+// A bound with two digits, never below the number that it stands for.
+std::string rounded_up(double bound) {
+  if (bound == 0) return "0";
+  const double unit = std::pow(10, std::floor(std::log10(bound)) - 1);
+  return fmt::format("{:.2g}", std::ceil(bound / unit) * unit);
+}
+
+std::string percent(double ratio) {
+  if (!std::isfinite(ratio)) return "unknown";  // u_h does not deform: nothing to compare with
+  return rounded_up(100 * ratio) + " %";
+}
+
+std::string explanation(const Report& report) {
+  if (report.outcome.guarantee == "none")
+    return "No bound is printed; the plain values of this run are in report.json.\n";
+  return fmt::format(
+      "The exact potential energy lies in this interval: not below minus the complementary energy of stresses in\n"
+      "equilibrium, not above the potential energy of displacements that respect the contact. The error of either\n"
+      "field, in the energy norm, is at most the square root of twice the width: {}.\n"
+      "Guarantee: {} (rounding errors are checked below, not bounded).\n",
+      rounded_up(report.outcome.levels.back().bracket.error_bound), report.outcome.guarantee);
+}
+
+std::string level_table(const std::vector<bounds::Level>& levels) {
+  std::string text = fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>8} {:>8}\n", "level", "cells",
+                                 "displacements", "stresses", "lower bound", "upper bound", "error", "seconds");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const bounds::Level& level = levels[i];
+    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>8} {:>8.2f}\n", i, level.cells, level.primal_dofs,
+                        level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                        percent(level.bracket.relative_error_bound), level.seconds.total);
+  }
+  const bounds::Seconds& seconds = levels.back().seconds;
+  return text + fmt::format(
+                    "      (unknowns of either formulation; last level: mesh {:.2f} s, displacements {:.2f} s, "
+                    "stresses {:.2f} s, estimate {:.2f} s)\n",
+                    seconds.mesh, seconds.primal, seconds.dual, seconds.estimate);
+}
+
+// What one pair transmits: its resultant, largest pressure and how much of it is closed.
+std::string pair_line(const Report& report, int pair) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  double force = 0, largest = 0, touching = 0, whole = 0;
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    if (problem.contact[i].pair != pair) continue;
+    const auto& [a, b] = report.contact[i].pressure;
+    const double length = scene::length(problem.mesh, problem.contact[i].first);
+    force += length * (a + b) / 2;
+    largest = std::max({largest, a, b});
+    whole += length;
+    if (a > 0 || b > 0) touching += length;
+  }
+  return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
+                     report.scene.contact[pair].first, report.scene.contact[pair].second, force, largest, touching,
+                     whole);
+}
+
+std::string contact_text(const Report& report) {
+  if (report.scene.contact.empty()) return "";
+  const bounds::Level& level = report.outcome.levels.back();
+  std::string text =
+      fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
+                  level.contact_active, level.contact_rows, level.contact_iterations, level.dual_contact_active,
+                  level.dual_contact_rows, level.dual_contact_iterations);
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) text += pair_line(report, pair);
+  return text;
+}
+
+std::string check_line(const char* name, double value, const char* meaning) {
+  const bool passed = value <= bounds::Checks::tolerance;
+  return fmt::format("  {:<18} {:>8.1e}  {:<6} {}\n", name, value, passed ? "ok" : "FAILED", meaning);
+}
+
+std::string checks_text(const bounds::Checks& checks) {
+  return fmt::format("\nChecks (the worst value, by the size of the scene's stresses or displacements; limit {:.0e})\n",
+                     bounds::Checks::tolerance) +
+         check_line("penetration", checks.penetration, "displacements keep supports and contact") +
+         check_line("equilibrium", checks.equilibrium, "stresses balance the body force in every cell") +
+         check_line("interface jump", checks.interface_jump, "tractions are equal on both sides of every edge") +
+         check_line("boundary traction", checks.boundary_traction, "tractions are the given ones") +
+         check_line("tension", checks.tension, "the contact does not pull") +
+         check_line("gap identity", checks.gap_identity, "the cells' errors add up to the width");
+}
+
+std::string data_text(const Report& report) {
+  const scene::Oscillation& data = report.outcome.problem.oscillation;
+  const bounds::Level& last = report.outcome.levels.back();
+  if (data.traction == 0 && data.displacement == 0 && data.gap == 0)
+    return "\nData: the given functions are carried exactly.\n";
+  return fmt::format(
+      "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of "
+      "their\n"
+      "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
+      data.traction, data.displacement, data.gap, last.oscillation_energy);
+}
+
+}  // namespace
+
+std::string headline(const Report& report) {
+  if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
+  const bounds::Bracket& bracket = report.outcome.levels.back().bracket;
+  return fmt::format("energy in [{}, {}]   relative width {:.1e}   guaranteed relative error {}\n", bracket.lower,
+                     bracket.upper, bracket.relative_width, percent(bracket.relative_error_bound));
+}
+
+std::string report_text(const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  std::string text = fmt::format("\n{}\nScene: {}; plane {}{}\n", report.scene.title, report.scene.file,
+                                 report.scene.plane, report.scene.units.empty() ? "" : "; units " + report.scene.units);
+  text += explanation(report) + "\n";
+  if (outcome.guarantee != "none") text += level_table(outcome.levels);
+  text += contact_text(report) + checks_text(outcome.levels.back().checks) + data_text(report);
+  if (outcome.status == scene::Status::budget) text += fmt::format("Budget: {}\n", outcome.reason);
+  if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, ", "));
+  return text;
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,21 @@
+# Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the Debian packages that are missing. Sourced by apps/run.sh and tests/run.sh.
+
+packages="g++ cmake ninja-build lld
+  libdeal.ii-dev libeigen3-dev libsuitesparse-dev libmetis-dev libopenblas0-pthread libopenblas-dev
+  libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libmuparser-dev libgtest-dev libbenchmark-dev"
+
+missing=
+for package in $packages; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) || status=absent
+  [ "$status" = installed ] || missing="$missing $package"
+done
+
+if [ -n "$missing" ]; then
+  echo "Installing:$missing" >&2
+  as_root=
+  [ "$(id -u)" -eq 0 ] || as_root=sudo
+  $as_root apt-get update >&2
+  # shellcheck disable=SC2086  # a list of words
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >&2
+fi

@@ -1,0 +1,146 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dual/dual.h"
+#include "primal/primal.h"
+#include "scene/scene.h"
+
+/// The bracket −S(λ_h) ≤ L(u) ≤ L(u_h) and what follows from it (design §1.1). Everything here is computed from plain
+/// field values by code of its own: what certifies shares nothing with what solves.
+namespace bracket::bounds {
+
+// ---- fields ---------------------------------------------------------------------------------------------------------
+
+/// σ(u_h) at the vertices of a cell, between which it is linear.
+template <int dim>
+std::array<scene::Voigt<dim>, 3> displacement_stress(const scene::Problem<dim>& problem,
+                                                     const primal::Displacement<dim>& displacement, int cell);
+
+// ---- energies -------------------------------------------------------------------------------------------------------
+
+/// L(v) = ½ A(v,v) − ℓ(v) [HH81 §1], and its strain part ½ A(v,v).
+struct PotentialEnergy {
+  double strain = 0;
+  double total = 0;
+};
+template <int dim>
+PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement);
+
+/// S(λ) = ½ ∫ λ : C⁻¹ λ − ∫_Γu λn·u0 − ∫_Γ0 (λn)_n u0n + ∫_ΓK p g
+template <int dim>
+double complementary_energy(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress);
+
+// ---- checks ---------------------------------------------------------------------------------------------------------
+
+/// How far the two fields are from being admissible, each by the scene's largest displacement or stress. All at most
+/// `tolerance`, else the bracket is not to be trusted.
+struct Checks {
+  static constexpr double tolerance = 1e-8;
+  double penetration = 0;        ///< largest r − g on Γ_K (as Bernstein coefficients), and misfit of prescribed displacements
+  double equilibrium = 0;        ///< largest |div λ + F| · cell diameter, and traction jumps between a cell's parts
+  double interface_jump = 0;     ///< largest jump of λn between cells, and of the pressure across the contact
+  double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K
+  double tension = 0;            ///< largest −p on Γ_K
+  double gap_identity = 0;       ///< |sum of indicators − width| by the energy
+  bool passed() const;           ///< all of them finite and at most `tolerance`
+};
+/// All but the gap identity, which needs the bracket.
+template <int dim>
+Checks admissibility(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                     const dual::Stress<dim>& stress);
+
+// ---- bracket --------------------------------------------------------------------------------------------------------
+
+/// The terms of the gap identity; they are ≥ 0 and add up to the width of the bracket.
+struct Indicator {
+  std::vector<double> cell;     ///< ½ ‖σ(u_h) − λ_h‖²_{C⁻¹} on each cell
+  std::vector<double> contact;  ///< ∫ p_h (g − r(u_h)) on each contact facet
+  double sum = 0;
+};
+template <int dim>
+Indicator indicator(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                    const dual::Stress<dim>& stress);
+
+struct Bracket {
+  double lower = 0;                    ///< −S(λ_h)
+  double upper = 0;                    ///< L(u_h)
+  double relative_width = 0;           ///< width by the larger of |lower|, |upper|
+  double error_bound = 0;              ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
+  double mean_stress_error_bound = 0;  ///< √(½ width + ½ ∫ p (g − r)) ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}
+  double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
+  double gap_identity = 0;             ///< |sum of indicators − (upper − lower)| by the largest energy
+};
+/// The width is the larger of upper − lower and the sum of the indicators, which differ by rounding only. Where rounding
+/// turned the two energies round, `lower` and `upper` are exchanged.
+template <int dim>
+Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                const dual::Stress<dim>& stress, const Indicator& indicator);
+
+/// What fixing the data edgewise did to the energy, to first order, each facet counted in absolute value:
+///     Σ |∫ (P − P_h)·u_h| + |∫ λ_h n·(u0 − u0_h)| + |∫ p_h (g − g_h)|
+/// \pre `problem` is fix_data() of `scene`, on its own mesh
+template <int dim>
+double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
+                          const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress);
+
+// ---- contact, as both formulations see it ---------------------------------------------------------------------------
+
+/// On one contact facet, at the first facet's vertices 0 and 1 (and its midpoint: gap only).
+struct ContactState {
+  std::array<double, 2> pressure;       ///< of λ_h
+  std::array<double, 3> gap_left;       ///< g − r(u_h)
+};
+template <int dim>
+std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
+                                        const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress);
+
+// ---- the driver -----------------------------------------------------------------------------------------------------
+
+struct Seconds {
+  double mesh = 0;  ///< reading, meshing, fixing the data
+  double primal = 0;
+  double dual = 0;
+  double estimate = 0;
+  double total = 0;  ///< wall clock; the two formulations run side by side
+};
+
+/// What one mesh gave.
+struct Level {
+  int cells = 0;
+  int primal_dofs = 0;
+  int dual_dofs = 0;
+  Bracket bracket;
+  Checks checks;
+  double oscillation_energy = 0;  ///< first-order estimate of what fixing the data edgewise did to the energy
+  Seconds seconds;
+  int contact_rows = 0, contact_active = 0, contact_iterations = 0;  ///< of the displacements
+  int dual_contact_rows = 0, dual_contact_active = 0, dual_contact_iterations = 0;
+  double primal_imbalance = 0, dual_imbalance = 0;
+  double primal_assemble = 0, dual_assemble = 0;
+  contact::Seconds primal_phases, dual_phases;
+};
+
+template <int dim> struct Outcome {
+  scene::Status status = scene::Status::done;
+  std::string guarantee = "none";  ///< "discretisation" or "none"
+  std::string reason;              ///< if there is no guarantee or the budget was spent: one line
+  scene::Problem<dim> problem;
+  primal::Displacement<dim> displacement;
+  dual::Stress<dim> stress;
+  Indicator indicator;
+  std::vector<Level> levels;
+  std::vector<std::string> skipped;  ///< stages that the scene did not need
+};
+
+/// Told of each stage as it begins ("mesh", "displacements and stresses", "estimate").
+using Progress = std::function<void(const std::string& stage)>;
+
+/// Solvability (HH81 (1.16)): throws scene::Error (ill_posed), with the body and the motion, where no pressure can
+/// balance the loads. \return the largest relative imbalance that was at rounding level and is removed
+template <int dim> double check_solvability(const scene::Problem<dim>& problem);
+
+/// The whole main job: mesh, fixed data, solvability, both formulations, checks, bracket.
+/// \throw scene::Error for all that the user can mend
+template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Progress& progress = {});
+
+}  // namespace bracket::bounds

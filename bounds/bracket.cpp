@@ -1,0 +1,110 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "bounds/fields.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+
+template <int dim>
+Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                const dual::Stress<dim>& stress, const Indicator& indicator) {
+  const PotentialEnergy potential = potential_energy(problem, displacement);
+  const double lower = -complementary_energy(problem, stress), upper = potential.total;
+  Bracket result;
+  result.lower = std::min(lower, upper);
+  result.upper = std::max(lower, upper);
+  const double width = std::max(std::abs(upper - lower), indicator.sum);
+  const double scale = std::max(std::abs(lower), std::abs(upper));
+  const double misfit = std::abs(indicator.sum - (upper - lower));
+  double contact = 0;
+  for (const double share : indicator.contact) contact += share;
+
+  result.relative_width = width == 0 ? 0 : width / scale;
+  result.error_bound = std::sqrt(2 * width);
+  result.mean_stress_error_bound = std::sqrt(std::max(0.0, (width + contact) / 2));
+  result.relative_error_bound = width == 0 ? 0 : result.error_bound / std::sqrt(2 * potential.strain);
+  result.gap_identity = misfit == 0 ? 0 : misfit / std::max(scale, potential.strain);
+  return result;
+}
+
+namespace {
+
+/// Gauss–Legendre with five points on (0,1).
+constexpr std::array<double, 5> gauss_points = {0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                                0.953089922969332};
+constexpr std::array<double, 5> gauss_weights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                                 0.23931433524968324, 0.11846344252809454};
+
+/// ∫ f over a facet, f a function of the position s in (0,1) along it.
+template <class Function> double over_facet(double length, const Function& f) {
+  double sum = 0;
+  for (std::size_t q = 0; q < gauss_points.size(); ++q) sum += length * gauss_weights[q] * f(gauss_points[q]);
+  return sum;
+}
+
+template <class Value> Value linear(const std::array<Value, 2>& ends, double s) { return (1 - s) * ends[0] + s * ends[1]; }
+
+/// Values at 0, 1 and ½.
+template <class Value> Value quadratic(const std::array<Value, 3>& v, double s) {
+  return (1 - s) * (1 - 2 * s) * v[0] + s * (2 * s - 1) * v[1] + 4 * s * (1 - s) * v[2];
+}
+
+}  // namespace
+
+template <int dim>
+double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
+                          const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress) {
+  using scene::ConditionKind;
+  const auto& mesh = problem.mesh;
+  double energy = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int part = mesh.boundary[f].part;
+    const auto condition = part < 0 ? scene.boundary.end() : scene.boundary.find(mesh.parts[part]);
+    if (condition == scene.boundary.end()) continue;
+    const int facet = static_cast<int>(f);
+    const auto& data = problem.facets[f];
+    const auto& given = condition->second;
+    const auto& ends = mesh.boundary[f].vertices;
+    const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
+    const Vector<dim> n = scene::normal(mesh, facet);
+    const auto vector_at = [&](double s) -> Vector<dim> {
+      const Vector<dim> at = linear(x, s);
+      if (given.value.size() == 1) return given.value[0](at) * (given.kind == ConditionKind::pressure ? Vector<dim>(-n) : n);
+      return Vector<dim>(given.value[0](at), given.value[1](at));
+    };
+    const double length = scene::length(mesh, facet);
+    if (data.support == Support::traction) {
+      const auto u = on_facet(mesh, displacement, facet);
+      energy += std::abs(over_facet(length, [&](double s) {
+        return (vector_at(s) - linear(data.traction, s)).dot(quadratic(u, s));
+      }));
+    } else {
+      const auto t = tractions(mesh, stress, facet);
+      energy += std::abs(over_facet(length, [&](double s) {
+        const Vector<dim> fixed = data.support == Support::fixed ? linear(data.displacement, s)
+                                                                 : Vector<dim>(linear(data.normal_displacement, s) * n);
+        return (vector_at(s) - fixed).dot(linear(t, s));
+      }));
+    }
+  }
+  const auto states = contact_state(problem, displacement, stress);
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const auto& ends = mesh.boundary[pair.first].vertices;
+    const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
+    energy += std::abs(over_facet(scene::length(mesh, pair.first), [&](double s) {
+      return linear(states[j].pressure, s) * (scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s));
+    }));
+  }
+  return energy;
+}
+
+template Bracket bracket(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&,
+                         const Indicator&);
+template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const primal::Displacement<2>&,
+                                   const dual::Stress<2>&);
+
+}  // namespace bracket::bounds

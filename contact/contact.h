@@ -1,0 +1,89 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <span>
+#include <vector>
+
+/// Elastic bodies in frictionless contact, reduced to their common interface (design §1.5): bodies as sparse systems
+/// in, pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
+namespace bracket::contact {
+
+/// One body: K u = f − Bᵀ p, where u are its unknowns and p the multipliers of all contact rows.
+struct Body {
+  Eigen::SparseMatrix<double> stiffness;  ///< K, n × n, lower triangle; its kernel is spanned by `rigid`
+  std::vector<int> nodes;                 ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours (they are ordered
+                                          ///< as one); begins with 0, ends with n
+  Eigen::VectorXd load;                   ///< f, n
+  Eigen::SparseMatrix<double> rows;       ///< B, m × n; the approach is r = Σ B u over the bodies
+  Eigen::MatrixXd rigid;                  ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
+};
+
+/// Seconds spent, by phase.
+struct Seconds {
+  double order = 0;      ///< fill-reducing ordering and symbolic factorisation
+  double factorise = 0;
+  double contact = 0;    ///< condensation and the interface problem
+  double recover = 0;    ///< the displacements
+};
+
+enum class Outcome {
+  solved,
+  no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
+  contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
+  not_definite     ///< a stiffness is not positive definite beside its rigid motions; `body` says which
+};
+
+struct Solution {
+  Outcome outcome = Outcome::solved;
+  std::vector<Eigen::VectorXd> displacement;  ///< u of each body
+  /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a stiff
+  /// body on a soft one).
+  std::vector<Eigen::VectorXd> elastic;
+  Eigen::VectorXd pressure;                   ///< p ≥ 0, m; exactly 0 off the active rows
+  std::vector<char> active;                   ///< m: 1 where the row is closed (p may be > 0)
+  int iterations = 0;                         ///< of the active set
+  /// Largest imbalance of load along a rigid motion that no contact row resists, by the size of the loads; at rounding
+  /// level, else `no_equilibrium`.
+  double imbalance = 0;
+  std::vector<Eigen::VectorXd> motion;  ///< no_equilibrium: coefficients y of each body's `rigid` with G y ≤ 0, eᵀy > 0
+  int body = -1;                        ///< not_definite
+  Seconds seconds;
+};
+
+/// Solves  min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g  by the problem in the multipliers,
+///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
+/// Each K is factorised once, the unknowns that B touches last. Without rows (m = 0) each body is just solved; without
+/// rigid motions nothing is balanced.
+/// \param gap g, m
+/// \param guess rows expected to be active (m entries, or empty: all)
+Solution solve(const std::vector<Body>& bodies, const Eigen::VectorXd& gap, const std::vector<char>& guess = {});
+
+/// Whether forces can be balanced by pressures: p ≥ 0 with Gᵀp = e.
+struct Balance {
+  bool possible = true;
+  Eigen::VectorXd pressure;  ///< one such p (m), with at most k entries > 0
+  Eigen::VectorXd motion;    ///< else y (k) with G y ≤ 0 and eᵀy > 0 (Farkas; HH81 (1.16))
+};
+
+/// Non-negative least squares for Gᵀp = e; ends after finitely many steps.
+/// \param rows G, m × k   \param load e, k   \param scale size of the loads, to which the residual is compared
+Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double scale);
+
+/// Sums dense symmetric cell matrices into a sparse one. The pattern is laid out once, from nodes.
+class Assembly {
+ public:
+  /// \param nodes as in Body
+  /// \param cell_nodes the nodes of all cells, `nodes_per_cell` each, one cell after the other
+  Assembly(std::vector<int> nodes, std::span<const int> cell_nodes, int nodes_per_cell);
+  /// Adds a cell's matrix. \param unknowns its rows' places in the sum; −1: the row and column are left out
+  void add(std::span<const int> unknowns, const Eigen::Ref<const Eigen::MatrixXd>& cell);
+  /// The sum, lower triangle, rows sorted; leaves the object empty.
+  Eigen::SparseMatrix<double> take();
+
+ private:
+  Eigen::SparseMatrix<double> matrix_;
+};
+
+}  // namespace bracket::contact

@@ -1,0 +1,151 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/factor.h"
+
+#include "contact/order.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace bracket::contact {
+namespace {
+
+/// K as CHOLMOD sees it; it only reads.
+cholmod_sparse view(const Eigen::SparseMatrix<double>& matrix) {
+  cholmod_sparse result{};
+  result.nrow = matrix.rows();
+  result.ncol = matrix.cols();
+  result.nzmax = matrix.nonZeros();
+  result.p = const_cast<int*>(matrix.outerIndexPtr());
+  result.i = const_cast<int*>(matrix.innerIndexPtr());
+  result.x = const_cast<double*>(matrix.valuePtr());
+  result.stype = -1;
+  result.itype = CHOLMOD_INT;
+  result.xtype = CHOLMOD_REAL;
+  result.dtype = CHOLMOD_DOUBLE;
+  result.sorted = result.packed = 1;
+  return result;
+}
+
+/// A supernodal factor: its columns super[s] … super[s+1]−1 share the rows s[pi[s]] … s[pi[s+1]−1] and lie one after
+/// the other, from x[px[s]] on.
+struct Supernodes {
+  const int *super, *row_begin, *rows, *value_begin;
+  const double* values;
+  int count;
+
+  explicit Supernodes(const cholmod_factor& factor)
+      : super(static_cast<const int*>(factor.super)),
+        row_begin(static_cast<const int*>(factor.pi)),
+        rows(static_cast<const int*>(factor.s)),
+        value_begin(static_cast<const int*>(factor.px)),
+        values(static_cast<const double*>(factor.x)),
+        count(static_cast<int>(factor.nsuper)) {}
+  int height(int s) const { return row_begin[s + 1] - row_begin[s]; }
+  /// Column c of L, from the first row of its supernode on.
+  const double* column(int s, int c) const {
+    return values + value_begin[s] + static_cast<std::ptrdiff_t>(c - super[s]) * height(s);
+  }
+};
+
+}  // namespace
+
+struct Factor::Handle {
+  cholmod_common common;
+  cholmod_factor* factor = nullptr;
+  std::vector<char> is_last;
+
+  Handle() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+};
+
+Factor::Factor(Factor&&) noexcept = default;
+Factor& Factor::operator=(Factor&&) noexcept = default;
+Factor::~Factor() = default;
+
+Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes,
+               const std::vector<int>& last)
+    : handle_(std::make_unique<Handle>()) {
+  handle_->is_last.assign(stiffness.rows(), 0);
+  for (int i : last) handle_->is_last[i] = 1;
+  std::vector<int> permutation = order(stiffness, nodes, last);
+  cholmod_sparse matrix = view(stiffness);
+  handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
+  if (!handle_->factor) throw std::runtime_error("no symbolic factorisation: out of memory");
+}
+
+bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
+  cholmod_sparse matrix = view(stiffness);
+  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common))
+    throw std::runtime_error("no factorisation: out of memory");
+  const cholmod_factor& factor = *handle_->factor;
+  if (factor.minor < factor.n) return false;
+  // A singular matrix need not give a pivot ≤ 0: in rounding, the sum of n random errors remains.
+  const double lost = 4 * std::sqrt(static_cast<double>(factor.n)) * std::numeric_limits<double>::epsilon();
+  const Eigen::VectorXd diagonal = stiffness.diagonal();
+  const int* const unknown = static_cast<const int*>(factor.Perm);
+  const Supernodes nodes(factor);
+  for (int s = 0; s < nodes.count; ++s)
+    for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c) {
+      const double pivot = nodes.column(s, c)[c - nodes.super[s]];
+      if (!(pivot * pivot > lost * diagonal[unknown[c]])) return false;
+    }
+  return true;
+}
+
+Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
+  cholmod_dense right{};
+  right.nrow = right.d = right.nzmax = b.size();
+  right.ncol = 1;
+  right.x = const_cast<double*>(b.data());
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &handle_->common);
+  if (!solution) throw std::runtime_error("no solution: out of memory");
+  Eigen::VectorXd result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
+  cholmod_free_dense(&solution, &handle_->common);
+  return result;
+}
+
+Trailing Factor::trailing() const {
+  const cholmod_factor& factor = *handle_->factor;
+  const int* const unknown = static_cast<const int*>(factor.Perm);
+  Trailing result;
+  std::vector<int> place(factor.n, -1);
+  for (int c = 0; c < static_cast<int>(factor.n); ++c)
+    if (handle_->is_last[unknown[c]]) {
+      place[c] = static_cast<int>(result.unknowns.size());
+      result.unknowns.push_back(unknown[c]);
+    }
+  result.lower.setZero(result.unknowns.size(), result.unknowns.size());
+  // CHOLMOD may reorder subtrees, but a column stays before those that depend on it. So none outside depends on the
+  // last ones, and their rows of L are all their own.
+  const Supernodes nodes(factor);
+  for (int s = 0; s < nodes.count; ++s) {
+    const int* const rows = nodes.rows + nodes.row_begin[s];
+    for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c) {
+      if (place[c] < 0) continue;
+      for (int k = c - nodes.super[s]; k < nodes.height(s); ++k) {
+        if (place[rows[k]] >= 0) result.lower(place[rows[k]], place[c]) = nodes.column(s, c)[k];
+        else if (nodes.column(s, c)[k] != 0) throw std::logic_error("the contact unknowns are not last in the factor");
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace bracket::contact

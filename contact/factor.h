@@ -1,0 +1,40 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <memory>
+#include <vector>
+
+namespace bracket::contact {
+
+/// The Cholesky factor of the unknowns that come last: S = lower · lowerᵀ, S the Schur complement on them.
+struct Trailing {
+  std::vector<int> unknowns;  ///< in the order of the rows of `lower`
+  Eigen::MatrixXd lower;      ///< its strict upper triangle is zero
+};
+
+/// A sparse Cholesky factor P K Pᵀ = L Lᵀ.
+class Factor {
+ public:
+  /// Orders the unknowns, `last` behind all others, and lays out the factor.
+  /// \param stiffness K, lower triangle, rows sorted   \param nodes as in Body   \param last without repetition
+  Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes, const std::vector<int>& last);
+  Factor(Factor&&) noexcept;
+  Factor& operator=(Factor&&) noexcept;
+  ~Factor();
+
+  /// Computes L. \param stiffness the matrix that was laid out, or one with the same pattern
+  /// \return whether it is definite: no pivot is lost in rounding
+  bool factorise(const Eigen::SparseMatrix<double>& stiffness);
+  /// K⁻¹ b. \pre factorise() returned true
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// \pre factorise() returned true
+  Trailing trailing() const;
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace bracket::contact

@@ -1,0 +1,111 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/statics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bracket::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double rounding = 1e-10;  // of motions and loads, relative: below it they count as zero
+
+/// The largest entry of each row of [B_1 … B_b]; 1 for a row without entries.
+VectorXd row_sizes(const std::vector<Body>& bodies) {
+  VectorXd size = VectorXd::Zero(bodies.front().rows.rows());
+  for (const Body& body : bodies)
+    for (int j = 0; j < body.rows.outerSize(); ++j)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(body.rows, j); entry; ++entry)
+        size[entry.row()] = std::max(size[entry.row()], std::abs(entry.value()));
+  return (size.array() > 0).select(size, 1.0);
+}
+
+/// The orthonormal motions that the rows resist, and those that they do not.
+std::pair<MatrixXd, MatrixXd> split(const MatrixXd& rows) {
+  const Index k = rows.cols();
+  if (rows.rows() == 0 || k == 0) return {MatrixXd(k, 0), MatrixXd::Identity(k, k)};
+  const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const VectorXd& singular = svd.singularValues();
+  const Index rank = (singular.array() > rounding * singular[0]).count();
+  return {svd.matrixV().leftCols(rank), svd.matrixV().rightCols(k - rank)};
+}
+
+}  // namespace
+
+Motions motions(const MatrixXd& rigid) {
+  const Index n = rigid.rows(), k = rigid.cols();
+  if (k == 0) return {rigid, MatrixXd(0, 0)};
+  const double size = std::sqrt(static_cast<double>(n));
+  const Eigen::HouseholderQR<MatrixXd> qr(rigid);
+  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(n, k) * size;
+  const MatrixXd change = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  return {basis, change / size};
+}
+
+std::vector<int> pins(const MatrixXd& basis, const std::vector<int>& contact) {
+  if (basis.cols() == 0) return {};
+  MatrixXd columns = basis.transpose();
+  for (int i : contact) columns.col(i) *= 0.5;
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(columns);
+  const auto& order = qr.colsPermutation().indices();
+  return {order.data(), order.data() + basis.cols()};
+}
+
+Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& motions) {
+  const Index m = bodies.front().rows.rows();
+  Index k = 0;
+  for (const Motions& body : motions) k += body.basis.cols();
+  MatrixXd rows(m, k);
+  VectorXd load(k);
+  double size_of_loads = 0;
+  Index first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const MatrixXd& basis = motions[b].basis;
+    rows.middleCols(first, basis.cols()) = bodies[b].rows * basis;
+    load.segment(first, basis.cols()) = basis.transpose() * bodies[b].load;
+    if (basis.cols() > 0) size_of_loads += bodies[b].load.lpNorm<1>();
+    first += basis.cols();
+  }
+  const VectorXd row_size = row_sizes(bodies);
+  const MatrixXd unit_rows = row_size.cwiseInverse().asDiagonal() * rows;
+  const auto [resisted, free] = split(unit_rows);
+
+  Statics result;
+  const VectorXd motion = free * (free.transpose() * load);
+  double work = 0;  // that the loads would do if they all acted along the free motion
+  first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Index n_motions = motions[b].basis.cols();
+    if (n_motions > 0)
+      work += bodies[b].load.lpNorm<1>() *
+              (motions[b].basis * motion.segment(first, n_motions)).lpNorm<Eigen::Infinity>();
+    first += n_motions;
+  }
+  if (work > 0) result.imbalance = load.dot(motion) / work;
+  if (result.imbalance > rounding) {
+    result.possible = false;
+    result.motion = motion;
+    return result;
+  }
+
+  const MatrixXd resisting = unit_rows * resisted;
+  const VectorXd resisted_load = resisted.transpose() * load;
+  const Balance found = balance(resisting, resisted_load, size_of_loads);
+  if (!found.possible) {
+    result.possible = false;
+    result.motion = resisted * found.motion;
+    return result;
+  }
+  result.load = resisting.transpose() * found.pressure;
+  if (size_of_loads > 0)
+    result.imbalance = std::max(result.imbalance, (resisted_load - result.load).norm() / size_of_loads);
+  result.resisted = resisted;
+  result.rows = rows * resisted;
+  result.pressure = found.pressure.cwiseQuotient(row_size);
+  return result;
+}
+
+}  // namespace bracket::contact

@@ -1,0 +1,36 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/contact.h"
+
+namespace bracket::contact {
+
+/// The rigid motions of one body in a basis that does not depend on its units or its distance from the origin:
+/// R = basis · change, the columns of `basis` orthogonal, with entries of the order of one.
+struct Motions {
+  Eigen::MatrixXd basis;   ///< n × k
+  Eigen::MatrixXd change;  ///< k × k
+};
+Motions motions(const Eigen::MatrixXd& rigid);
+
+/// As many unknowns as there are rigid motions, such that no motion leaves them all at rest; well apart, and not
+/// contact unknowns where others are about as good.
+/// \param basis as in Motions   \param contact the unknowns that contact rows touch
+std::vector<int> pins(const Eigen::MatrixXd& basis, const std::vector<int>& contact);
+
+/// The bodies' equilibrium as wholes: Gᵀp = e, in a basis of those motions that contact resists at all.
+struct Statics {
+  bool possible = true;
+  /// The motions that contact resists, as coefficients of the bodies' bases, stacked (k_all × k).
+  Eigen::MatrixXd resisted;
+  Eigen::MatrixXd rows;      ///< G (m × k): the approach by these motions
+  Eigen::VectorXd load;      ///< e (k), without what is taken for rounding
+  Eigen::VectorXd pressure;  ///< one p ≥ 0 that balances it, with at most k entries > 0
+  double imbalance = 0;      ///< as in Solution
+  Eigen::VectorXd motion;    ///< not possible: coefficients of the bodies' bases, stacked (k_all)
+};
+
+/// \param motions of each body
+Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& motions);
+
+}  // namespace bracket::contact

@@ -1,0 +1,179 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/block_element.h"
+
+namespace bracket::dual {
+
+namespace {
+
+using scene::Vector;
+using scene::Voigt;
+using Plane = Vector<2>;
+
+constexpr std::array<std::array<int, 2>, 6> voigt_pairs = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
+
+Plane traction(const Voigt<2>& stress, const Plane& normal) {
+  return {stress[0] * normal[0] + stress[2] * normal[1], stress[2] * normal[0] + stress[1] * normal[1]};
+}
+
+/// The corners of part k: vertices k+1 and k+2, centroid.
+Triangle part(const Triangle& t, int k) { return {t[(k + 1) % 3], t[(k + 2) % 3], (t[0] + t[1] + t[2]) / 3}; }
+
+/// The normal of a → b, to its right, as long as the edge: outward where the triangle lies left.
+Plane normal_times_length(const Plane& a, const Plane& b) { return {b[1] - a[1], a[0] - b[0]}; }
+
+/// The seven parameters of a divergence-free linear stress, M(K) of [HH81, §2.1], at x.
+Eigen::Matrix<double, 3, 7> linear_stress(const Plane& x) {
+  Eigen::Matrix<double, 3, 7> m;
+  m << 1, x[0], x[1], 0, 0, 0, 0,  //
+      0, 0, 0, 1, x[0], x[1], 0,   //
+      0, -x[1], 0, 0, 0, -x[0], 1;
+  return m;
+}
+
+/// Corner values of all 21 parameters of the three parts: row 9 k + 3 corner + component of part k.
+Eigen::Matrix<double, 27, 21> corner_values(const Triangle& t) {
+  Eigen::Matrix<double, 27, 21> values = Eigen::Matrix<double, 27, 21>::Zero();
+  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) values.block<3, 7>(9 * k + 3 * c, 7 * k) = linear_stress(part(t, k)[c] - centroid);
+  return values;
+}
+
+/// The jump of the traction at both ends of the three inner edges, by the parameters: 12 × 21, of full rank.
+Eigen::Matrix<double, 12, 21> continuity(const Triangle& t, const Eigen::Matrix<double, 27, 21>& values) {
+  Eigen::Matrix<double, 12, 21> jump;
+  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  for (int v = 0; v < 3; ++v) {
+    // Vertex v is corner 1 of part v+1 and corner 0 of part v+2.
+    const Plane n = normal_times_length(centroid, t[v]);
+    const std::array<int, 2> parts = {(v + 1) % 3, (v + 2) % 3};
+    for (int end = 0; end < 2; ++end) {
+      const int first = 9 * parts[0] + 3 * (end == 0 ? 1 : 2), second = 9 * parts[1] + 3 * (end == 0 ? 0 : 2);
+      const Eigen::Matrix<double, 3, 21> difference = values.middleRows<3>(first) - values.middleRows<3>(second);
+      jump.row(4 * v + 2 * end) = n[0] * difference.row(0) + n[1] * difference.row(2);
+      jump.row(4 * v + 2 * end + 1) = n[0] * difference.row(2) + n[1] * difference.row(1);
+    }
+  }
+  return jump;
+}
+
+/// ∫ f g over a triangle, both linear, given by their corner values.
+double integrate(const std::array<double, 3>& f, const std::array<double, 3>& g, double area) {
+  double sum = (f[0] + f[1] + f[2]) * (g[0] + g[1] + g[2]);
+  for (int i = 0; i < 3; ++i) sum += f[i] * g[i];
+  return area / 12 * sum;
+}
+
+/// ∫ φ_i over an edge, times the length-carrying normal, of the tractions of corner stresses.
+LoadVector edge_loads(const Triangle& t, const Corners& stress) {
+  LoadVector loads;
+  for (int e = 0; e < 3; ++e) {
+    const Plane n = normal_times_length(t[(e + 1) % 3], t[(e + 2) % 3]);
+    const Plane at0 = traction(stress[3 * e], n), at1 = traction(stress[3 * e + 1], n);
+    loads.segment<2>(4 * e) = (2 * at0 + at1) / 6;
+    loads.segment<2>(4 * e + 2) = (at0 + 2 * at1) / 6;
+  }
+  return loads;
+}
+
+ReferenceBlock make_reference_block() {
+  const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
+  const auto values = corner_values(t);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(continuity(t, values), Eigen::ComputeFullV);
+  const Eigen::Matrix<double, 27, n_modes> modes = values * svd.matrixV().rightCols(n_modes);
+
+  ReferenceBlock reference;
+  for (int m = 0; m < n_modes; ++m) {
+    for (int c = 0; c < 9; ++c) reference.modes[m][c] = modes.block<3, 1>(3 * c, m);
+    reference.loads.col(m) = edge_loads(t, reference.modes[m]);
+  }
+  const auto component = [&](int mode, int k, int a) {
+    const Corners& m = reference.modes[mode];
+    return std::array<double, 3>{m[3 * k][a], m[3 * k + 1][a], m[3 * k + 2][a]};
+  };
+  const double part_area = 1.0 / 6;
+  for (std::size_t p = 0; p < voigt_pairs.size(); ++p) {
+    const auto [a, b] = voigt_pairs[p];
+    ModeMatrix mass = ModeMatrix::Zero();
+    for (int i = 0; i < n_modes; ++i)
+      for (int j = 0; j < n_modes; ++j)
+        for (int k = 0; k < 3; ++k) mass(i, j) += integrate(component(i, k, a), component(j, k, b), part_area);
+    reference.mass[p] = a == b ? mass : ModeMatrix(mass + mass.transpose());
+  }
+  return reference;
+}
+
+}  // namespace
+
+const ReferenceBlock& reference_block() {
+  static const ReferenceBlock reference = make_reference_block();
+  return reference;
+}
+
+BlockElement block_element(const Triangle& t, const scene::Elasticity<2>& compliance) {
+  const ReferenceBlock& reference = reference_block();
+  Eigen::Matrix2d b;
+  b << t[1] - t[0], t[2] - t[0];
+  const double det = b.determinant();
+
+  BlockElement block;
+  block.piola << b(0, 0) * b(0, 0), b(0, 1) * b(0, 1), 2 * b(0, 0) * b(0, 1),  //
+      b(1, 0) * b(1, 0), b(1, 1) * b(1, 1), 2 * b(1, 0) * b(1, 1),             //
+      b(0, 0) * b(1, 0), b(0, 1) * b(1, 1), b(0, 0) * b(1, 1) + b(0, 1) * b(1, 0);
+  block.piola /= det;
+
+  const Eigen::Matrix3d pulled_back = det * (block.piola.transpose() * compliance * block.piola);
+  block.compliance.setZero();
+  for (std::size_t p = 0; p < voigt_pairs.size(); ++p)
+    block.compliance += pulled_back(voigt_pairs[p][0], voigt_pairs[p][1]) * reference.mass[p];
+
+  // λn ds = B τ̂ n̂ dŝ: each end's pair of rows is the reference one times B.
+  for (int r = 0; r < n_loads; r += 2) block.loads.middleRows<2>(r) = b * reference.loads.middleRows<2>(r);
+  return block;
+}
+
+Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const BlockElement& block) {
+  return block.compliance.llt().matrixL().solve(block.loads.transpose());
+}
+
+Corners stress_at_corners(const BlockElement& block, const ModeVector& amplitudes) {
+  const ReferenceBlock& reference = reference_block();
+  Corners stress;
+  for (int c = 0; c < 9; ++c) {
+    Voigt<2> sum = Voigt<2>::Zero();
+    for (int m = 0; m < n_modes; ++m) sum += amplitudes[m] * reference.modes[m][c];
+    stress[c] = block.piola * sum;
+  }
+  return stress;
+}
+
+Particular particular(const Triangle& t, const BlockElement& block, const scene::Elasticity<2>& compliance,
+                      const scene::Vector<2>& force) {
+  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  Particular field;
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) {
+      const Plane x = part(t, k)[c] - centroid;
+      field.stress[3 * k + c] = {-force[0] * x[0], -force[1] * x[1], 0};
+    }
+  field.loads = edge_loads(t, field.stress);
+
+  const Plane u = t[1] - t[0], v = t[2] - t[0];
+  const double part_area = (u[0] * v[1] - u[1] * v[0]) / 6;
+  for (int m = 0; m < n_modes; ++m) {
+    const Corners mode = stress_at_corners(block, ModeVector::Unit(m));
+    field.coupling[m] = 0;
+    for (int k = 0; k < 3; ++k)
+      for (int a = 0; a < 3; ++a) {
+        std::array<double, 3> strain, stress;
+        for (int c = 0; c < 3; ++c) {
+          strain[c] = compliance.row(a) * field.stress[3 * k + c];
+          stress[c] = mode[3 * k + c][a];
+        }
+        field.coupling[m] += integrate(strain, stress, part_area);
+      }
+  }
+  return field;
+}
+
+}  // namespace bracket::dual

@@ -1,0 +1,35 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/contact.h"
+#include "scene/scene.h"
+
+/// Stresses: the lower bound. Self-equilibrated triangular block elements (design §1.4; HH81 §2.1, §3).
+namespace bracket::dual {
+
+/// A stress field, linear on the three parts of each cell, which meet at its centroid. Part k holds the edge opposite to
+/// vertex k; its corners are vertex k+1, vertex k+2 (mod 3) and the centroid.
+template <int dim> struct Stress {
+  using Voigt = scene::Voigt<dim>;
+  std::vector<std::array<Voigt, 9>> cell;  ///< [3 k + corner] of each cell
+};
+
+template <int dim> struct Result {
+  contact::Outcome outcome = contact::Outcome::solved;
+  std::string reason;  ///< if not solved: one line
+  Stress<dim> stress;
+  std::vector<char> active;  ///< per contact row, to start from on the same mesh
+  int unknowns = 0;          ///< edge displacements that are not prescribed
+  int rows = 0;
+  int active_rows = 0;
+  int iterations = 0;
+  double imbalance = 0;  ///< see contact::Solution
+  double assemble = 0;   ///< seconds
+  contact::Seconds seconds;
+};
+
+/// Minimises S over the block-element stresses in K⁺_{F,P} [HH81, (1.13), (2.12)] by the hybrid method: edge
+/// displacements, linear on each edge, are the multipliers of traction continuity; contact rows are the moments of r.
+template <int dim> Result<dim> solve(const scene::Problem<dim>& problem);
+
+}  // namespace bracket::dual

@@ -1,0 +1,289 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "dual/block_element.h"
+#include "dual/dual.h"
+
+namespace bracket::dual {
+
+namespace {
+
+using scene::Problem;
+using scene::Support;
+using scene::Vector;
+
+/// The multipliers of one edge: the displacement of its two ends, in the directions of the rows of `frame`. Place
+/// 2 end + direction; the lower vertex is end 0. The frame is (normal, tangent) where a support or the contact needs it.
+struct Edge {
+  Eigen::Matrix2d frame = Eigen::Matrix2d::Identity();
+  std::array<int, 4> unknown = {-1, -1, -1, -1};  ///< number in its body; −1: prescribed
+  std::array<double, 4> prescribed = {0, 0, 0, 0};
+  int node = -1;  ///< number of the edge in its body
+  bool normal_held = false, tangent_held = false;
+};
+
+struct Layout {
+  std::vector<Edge> edges;
+  std::vector<std::vector<int>> body_cells;
+  std::vector<std::vector<int>> body_nodes;  ///< offsets of each edge's unknowns, as contact::Body::nodes
+};
+
+/// Which end of its mesh edge a vertex of a boundary facet is.
+template <int dim> int end_of(const scene::Mesh<dim>& mesh, int edge, int vertex) {
+  return mesh.edges[edge][0] == vertex ? 0 : 1;
+}
+
+template <int dim> void set_boundary(const Problem<dim>& problem, std::vector<Edge>& edges) {
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& facet = problem.mesh.boundary[f];
+    const auto& data = problem.facets[f];
+    if (data.support == Support::traction) continue;
+    Edge& edge = edges[facet.edge];
+    edge.normal_held = data.support != Support::contact;
+    edge.tangent_held = data.support == Support::fixed;
+    if (data.support != Support::fixed) {
+      const Vector<dim> n = scene::normal(problem.mesh, static_cast<int>(f));
+      edge.frame << n[0], n[1], -n[1], n[0];
+    }
+    for (int i = 0; i < 2; ++i) {
+      const int end = end_of(problem.mesh, facet.edge, facet.vertices[i]);
+      if (data.support == Support::fixed)
+        for (int c = 0; c < 2; ++c) edge.prescribed[2 * end + c] = data.displacement[i][c];
+      if (data.support == Support::sliding) edge.prescribed[2 * end] = data.normal_displacement[i];
+    }
+  }
+}
+
+template <int dim> Layout lay_out(const Problem<dim>& problem) {
+  const auto& mesh = problem.mesh;
+  Layout layout;
+  layout.edges.resize(mesh.edges.size());
+  layout.body_cells.resize(mesh.bodies.size());
+  layout.body_nodes.assign(mesh.bodies.size(), {0});
+  set_boundary(problem, layout.edges);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int body = mesh.cell_body[c];
+    layout.body_cells[body].push_back(static_cast<int>(c));
+    auto& nodes = layout.body_nodes[body];
+    for (const int e : mesh.cell_edges[c]) {
+      Edge& edge = layout.edges[e];
+      if (edge.node >= 0) continue;
+      edge.node = static_cast<int>(nodes.size()) - 1;
+      int next = nodes.back();
+      for (int end = 0; end < 2; ++end) {
+        if (!edge.normal_held) edge.unknown[2 * end] = next++;
+        if (!edge.tangent_held) edge.unknown[2 * end + 1] = next++;
+      }
+      nodes.push_back(next);
+    }
+  }
+  return layout;
+}
+
+template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
+  const auto& v = mesh.cells[cell];
+  return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
+}
+
+/// One cell, with its loads in the frames of its edges.
+struct Cell {
+  BlockElement block;
+  std::array<int, n_loads> unknowns;
+  LoadVector prescribed;
+  std::optional<Particular> weight;  ///< only where there is a body force
+};
+
+template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
+  const auto& mesh = problem.mesh;
+  const auto& body = problem.bodies[mesh.cell_body[c]];
+  const Triangle t = corners(mesh, c);
+  Cell cell;
+  cell.block = block_element(t, body.compliance);
+  if (!body.force.isZero(0)) cell.weight = particular(t, cell.block, body.compliance, body.force);
+  for (int e = 0; e < 3; ++e) {
+    const int mesh_edge = mesh.cell_edges[c][e];
+    const Edge& edge = layout.edges[mesh_edge];
+    for (int i = 0; i < 2; ++i) {
+      const int row = 4 * e + 2 * i;
+      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
+      cell.block.loads.middleRows<2>(row) = (edge.frame * cell.block.loads.middleRows<2>(row)).eval();
+      if (cell.weight) cell.weight->loads.segment<2>(row) = (edge.frame * cell.weight->loads.segment<2>(row)).eval();
+      for (int k = 0; k < 2; ++k) {
+        cell.unknowns[row + k] = edge.unknown[place + k];
+        cell.prescribed[row + k] = edge.prescribed[place + k];
+      }
+    }
+  }
+  return cell;
+}
+
+/// The loads of Γ_τ on the edge displacements: ∫ P·μ.
+template <int dim> void add_tractions(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
+  const auto& mesh = problem.mesh;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support != Support::traction) continue;
+    const auto& facet = mesh.boundary[f];
+    const Edge& edge = layout.edges[facet.edge];
+    const double sixth = scene::length(mesh, static_cast<int>(f)) / 6;
+    for (int i = 0; i < 2; ++i) {
+      const Vector<dim> moment = sixth * (2 * data.traction[i] + data.traction[1 - i]);
+      const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
+      for (int k = 0; k < 2; ++k) bodies[mesh.cell_body[facet.cell]].load[edge.unknown[place + k]] += moment[k];
+    }
+  }
+}
+
+/// Rows 2 j, 2 j + 1 of contact facet j: ∫ φ_i r over it, for the hat functions of the first facet's vertices 0 and 1.
+/// Both sides count their own outward normal displacement: r = u'·n' + u''·n''.
+template <int dim> void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
+  const auto& mesh = problem.mesh;
+  std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const double sixth = scene::length(mesh, pair.first) / 6;
+    for (const int side : {pair.first, pair.second}) {
+      if (side < 0) continue;
+      const auto& facet = mesh.boundary[side];
+      const Edge& edge = layout.edges[facet.edge];
+      for (int row = 0; row < 2; ++row)
+        for (int i = 0; i < 2; ++i) {
+          const int vertex = facet.vertices[side == pair.first ? i : 1 - i];
+          const int unknown = edge.unknown[2 * end_of(mesh, facet.edge, vertex)];
+          entries[mesh.cell_body[facet.cell]].emplace_back(2 * j + row, unknown, sixth * (row == i ? 2 : 1));
+        }
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    bodies[b].rows.resize(2 * problem.contact.size(), bodies[b].load.size());
+    bodies[b].rows.setFromTriplets(entries[b].begin(), entries[b].end());
+  }
+}
+
+/// ∫ φ_i g over each contact facet.
+template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
+  Eigen::VectorXd moments(2 * problem.contact.size());
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& g = problem.contact[j].gap;
+    const double length = scene::length(problem.mesh, problem.contact[j].first);
+    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length * (g[i] / 6 + g[2] / 3);
+  }
+  return moments;
+}
+
+/// The rigid motions that the supports of a body leave, as edge displacements.
+template <int dim> Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout, int body, int unknowns) {
+  const auto& mesh = problem.mesh;
+  const auto motions = scene::free_motions(problem, body);
+  Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(unknowns, motions.size());
+  if (motions.empty()) return rigid;
+  for (const int c : layout.body_cells[body])
+    for (const int e : mesh.cell_edges[c]) {
+      const Edge& edge = layout.edges[e];
+      for (int place = 0; place < 4; ++place)
+        for (std::size_t m = 0; edge.unknown[place] >= 0 && m < motions.size(); ++m)
+          rigid(edge.unknown[place], m) =
+              edge.frame.row(place % 2) * displacement(motions[m], mesh.vertices[mesh.edges[e][place / 2]]);
+    }
+  return rigid;
+}
+
+/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and the loads of body forces and prescribed displacements.
+template <int dim> contact::Body assemble(const Problem<dim>& problem, const Layout& layout, int b) {
+  std::vector<int> cell_nodes;
+  for (const int c : layout.body_cells[b])
+    for (const int e : problem.mesh.cell_edges[c]) cell_nodes.push_back(layout.edges[e].node);
+  contact::Body body;
+  body.nodes = layout.body_nodes[b];
+  body.load = Eigen::VectorXd::Zero(body.nodes.back());
+  contact::Assembly assembly(body.nodes, cell_nodes, 3);
+  for (const int c : layout.body_cells[b]) {
+    const Cell cell = make_cell(problem, layout, c);
+    const auto half = half_stiffness(cell.block);
+    const CellMatrix stiffness = half.transpose() * half;
+    assembly.add(cell.unknowns, stiffness);
+    LoadVector load = LoadVector::Zero();
+    if (!cell.prescribed.isZero(0)) load -= stiffness * cell.prescribed;
+    if (cell.weight)
+      load += half.transpose() * cell.block.compliance.llt().matrixL().solve(cell.weight->coupling) - cell.weight->loads;
+    for (int i = 0; i < n_loads; ++i)
+      if (cell.unknowns[i] >= 0) body.load[cell.unknowns[i]] += load[i];
+  }
+  body.stiffness = assembly.take();
+  body.rigid = rigid_motions(problem, layout, b, body.nodes.back());
+  return body;
+}
+
+/// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄), then λ = λ̄ + Σ s_k τ_k.
+template <int dim>
+Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& displacement) {
+  Stress<dim> stress;
+  stress.cell.resize(problem.mesh.cells.size());
+  for (std::size_t c = 0; c < stress.cell.size(); ++c) {
+    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
+    const Eigen::VectorXd& u = displacement[problem.mesh.cell_body[c]];
+    LoadVector edges = cell.prescribed;
+    for (int i = 0; i < n_loads; ++i)
+      if (cell.unknowns[i] >= 0) edges[i] = u[cell.unknowns[i]];
+    ModeVector right = cell.block.loads.transpose() * edges;
+    if (cell.weight) right -= cell.weight->coupling;
+    stress.cell[c] = stress_at_corners(cell.block, cell.block.compliance.llt().solve(right));
+    for (int i = 0; cell.weight && i < 9; ++i) stress.cell[c][i] += cell.weight->stress[i];
+  }
+  return stress;
+}
+
+std::string explain(contact::Outcome outcome) {
+  switch (outcome) {
+    case contact::Outcome::solved: return "";
+    case contact::Outcome::no_equilibrium:
+      return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to the "
+             "end of a contact line for its edges); refine the mesh there";
+    case contact::Outcome::contradiction: return "stresses: the gaps and the prescribed displacements contradict each other";
+    case contact::Outcome::not_definite: return "stresses: the system of a body is not positive definite in floating point";
+  }
+  return "";
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+template <int dim> Result<dim> solve(const Problem<dim>& problem) {
+  const auto start = std::chrono::steady_clock::now();
+  const Layout layout = lay_out(problem);
+  std::vector<contact::Body> bodies;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
+  add_tractions(problem, layout, bodies);
+  set_contact_rows(problem, layout, bodies);
+
+  Result<dim> result;
+  result.rows = static_cast<int>(2 * problem.contact.size());
+  for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
+  result.assemble = seconds_since(start);
+
+  contact::Solution solution = contact::solve(bodies, gap_moments(problem));
+  result.outcome = solution.outcome;
+  result.reason = explain(solution.outcome);
+  result.iterations = solution.iterations;
+  result.imbalance = solution.imbalance;
+  if (solution.outcome == contact::Outcome::solved) {
+    const auto recovering = std::chrono::steady_clock::now();
+    result.stress = recover(problem, layout, solution.displacement);
+    solution.seconds.recover += seconds_since(recovering);
+  }
+  result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
+  result.active = std::move(solution.active);
+  result.seconds = solution.seconds;
+  return result;
+}
+
+template struct Stress<2>;
+template struct Result<2>;
+template Result<2> solve(const Problem<2>&);
+
+}  // namespace bracket::dual

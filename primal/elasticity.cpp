@@ -1,0 +1,81 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "primal/elasticity.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/grid/tria.h>
+
+namespace bracket::primal {
+
+namespace {
+
+/// One body as a deal.II triangulation; cell i of it is cells[i] of the mesh.
+template <int dim>
+void triangulate(const scene::Mesh<dim>& mesh, const std::vector<int>& cells, dealii::Triangulation<dim>& triangulation) {
+  std::vector<int> number(mesh.vertices.size(), -1);
+  std::vector<dealii::Point<dim>> points;
+  std::vector<dealii::CellData<dim>> data(cells.size(), dealii::CellData<dim>(dim + 1));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (int v = 0; v <= dim; ++v) {
+      const int vertex = mesh.cells[cells[i]][v];
+      if (number[vertex] < 0) {
+        number[vertex] = static_cast<int>(points.size());
+        dealii::Point<dim> point;
+        for (int c = 0; c < dim; ++c) point[c] = mesh.vertices[vertex][c];
+        points.push_back(point);
+      }
+      data[i].vertices[v] = number[vertex];
+    }
+  triangulation.create_triangulation(points, data, dealii::SubCellData());
+}
+
+/// Place among a mesh cell's nodes of deal.II's node i: its lines run 0–1, 1–2, 2–0, ours lie opposite to 0, 1, 2.
+int place(unsigned int i) { return i < 3 ? static_cast<int>(i) : std::array<int, 3>{5, 3, 4}[i - 3]; }
+
+}  // namespace
+
+template <int dim>
+void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use) {
+  static_assert(dim == 2, "the places of the nodes are those of a triangle");
+  const auto& mesh = problem.mesh;
+  std::vector<int> cells;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if (mesh.cell_body[c] == body) cells.push_back(static_cast<int>(c));
+
+  dealii::Triangulation<dim> triangulation;
+  triangulate(mesh, cells, triangulation);
+  const dealii::FE_SimplexP<dim> element(degree);
+  const dealii::MappingFE<dim> mapping(dealii::FE_SimplexP<dim>(1));
+  const dealii::QGaussSimplex<dim> quadrature(2);  // exact for quadratics: gradients of degree 1, squared
+  dealii::FEValues<dim> values(mapping, element, quadrature,
+                               dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+
+  const auto& material = problem.bodies[body];
+  const int n = static_cast<int>(element.n_dofs_per_cell());
+  Eigen::MatrixXd stiffness(dim * n, dim * n);
+  Eigen::VectorXd load(dim * n);
+  Eigen::MatrixXd strain(scene::n_voigt<dim>, dim * n);
+  for (const auto& cell : triangulation.active_cell_iterators()) {
+    values.reinit(cell);
+    stiffness.setZero();
+    load.setZero();
+    strain.setZero();
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      for (int i = 0; i < n; ++i) {
+        const auto gradient = values.shape_grad(i, q);
+        const int column = dim * place(i);
+        strain(0, column) = strain(2, column + 1) = gradient[0];
+        strain(1, column + 1) = strain(2, column) = gradient[1];
+        load.segment<dim>(column) += values.JxW(q) * values.shape_value(i, q) * material.force;
+      }
+      stiffness.noalias() += strain.transpose() * (values.JxW(q) * material.stiffness * strain).eval();
+    }
+    use(cells[cell->active_cell_index()], stiffness, load);
+  }
+}
+
+template void for_each_cell(const scene::Problem<2>&, int, int, const UseCell&);
+
+}  // namespace bracket::primal

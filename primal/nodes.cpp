@@ -1,0 +1,204 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "primal/nodes.h"
+
+#include <algorithm>
+
+namespace bracket::primal {
+
+namespace {
+
+using scene::Problem;
+using scene::Support;
+using scene::Vector;
+
+template <int dim> Vector<dim> tangent(const Vector<dim>& normal) { return {-normal[1], normal[0]}; }
+
+template <int dim> double cross(const Vector<dim>& a, const Vector<dim>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Two facets whose normals differ by less than this continue each other: rounding of coordinates, not a corner.
+constexpr double parallel = 1e-10;
+
+template <int dim> void fix(Node<dim>& node, const Vector<dim>& displacement) {
+  node.prescribed = displacement;
+  node.free = 0;
+}
+
+/// Adds u·n = value. Two such conditions with different normals determine the node.
+template <int dim> void slide(Node<dim>& node, const Vector<dim>& n, double value) {
+  if (node.free == 0) return;  // scene::fix_data has checked that the values agree
+  if (node.free == dim) {
+    node.prescribed = value * n;
+    node.directions.col(0) = tangent<dim>(n);
+    node.directions.col(1) = n;
+    node.free = 1;
+    return;
+  }
+  const Vector<dim> t = node.directions.col(0);
+  const double along = t.dot(n);
+  if (std::abs(along) <= parallel) return;
+  fix<dim>(node, node.prescribed + t * ((value - node.prescribed.dot(n)) / along));
+}
+
+/// Builds the facets with this support into the nodes at their ends and, for degree 2, at their midpoints.
+template <int dim> void set_supports(const Problem<dim>& problem, Nodes<dim>& nodes, Support support) {
+  const auto& mesh = problem.mesh;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support != support) continue;
+    const auto& facet = mesh.boundary[f];
+    const Vector<dim> n = scene::normal(mesh, static_cast<int>(f));
+    const auto apply = [&](Node<dim>& node, const Vector<dim>& displacement, double normal_displacement) {
+      if (support == Support::fixed) fix(node, displacement);
+      if (support == Support::sliding) slide(node, n, normal_displacement);
+      if (support == Support::contact && node.free == dim) {
+        node.directions.col(0) = n;
+        node.directions.col(1) = tangent<dim>(n);
+      }
+    };
+    for (int i = 0; i < dim; ++i)
+      apply(nodes.node[nodes.at_vertex(facet.vertices[i])], data.displacement[i], data.normal_displacement[i]);
+    if (nodes.degree == 2)
+      apply(nodes.node[nodes.at_edge(mesh, facet.edge)], (data.displacement[0] + data.displacement[1]) / 2,
+            (data.normal_displacement[0] + data.normal_displacement[1]) / 2);
+  }
+}
+
+/// One approach r = (u' − u'')·d at a pair of nodes, as a row. A rigid wall has no second node.
+template <int dim> struct Approach {
+  const Nodes<dim>& nodes;
+  const Problem<dim>& problem;
+
+  void add(Row& row, int node, int body, const Vector<dim>& d, double weight) const {
+    const Node<dim>& at = nodes.node[node];
+    row.bound -= weight * at.prescribed.dot(d);
+    for (int k = 0; k < at.free; ++k) {
+      const double coefficient = at.directions.col(k).dot(d);
+      if (std::abs(coefficient) > parallel) row.entries.push_back({body, at.unknown + k, weight * coefficient});
+    }
+  }
+};
+
+template <int dim> double largest_prescribed(const Problem<dim>& problem, const Nodes<dim>& nodes) {
+  double largest = 0;
+  for (const auto& node : nodes.node) largest = std::max(largest, node.prescribed.norm());
+  for (const auto& pair : problem.contact)
+    for (const double g : pair.gap) largest = std::max(largest, std::abs(g));
+  return largest;
+}
+
+struct EndRow {
+  int first, second;  ///< vertices
+  Vector<2> normal;
+  double gap;
+  int facet;
+};
+
+/// The end rows, one for each vertex pair and distinct normal, with the smaller gap where two facets share it.
+template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
+  const auto& mesh = problem.mesh;
+  std::vector<EndRow> rows;
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    for (int i = 0; i < dim; ++i)
+      rows.push_back({mesh.boundary[pair.first].vertices[i],
+                      pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i],
+                      scene::normal(mesh, pair.first), pair.gap[i], static_cast<int>(j)});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const EndRow& a, const EndRow& b) {
+    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+  });
+  std::vector<EndRow> distinct;
+  for (const EndRow& row : rows) {
+    bool merged = false;
+    for (auto it = distinct.rbegin(); it != distinct.rend() && it->first == row.first && it->second == row.second; ++it)
+      if (std::abs(cross<dim>(it->normal, row.normal)) <= parallel && it->normal.dot(row.normal) > 0) {
+        it->gap = std::min(it->gap, row.gap);
+        merged = true;
+        break;
+      }
+    if (!merged) distinct.push_back(row);
+  }
+  return distinct;
+}
+
+}  // namespace
+
+template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree) {
+  const auto& mesh = problem.mesh;
+  Nodes<dim> nodes{degree, {}, {}};
+  nodes.node.resize(mesh.vertices.size() + (degree == 2 ? mesh.edges.size() : 0));
+  set_supports(problem, nodes, Support::fixed);
+  set_supports(problem, nodes, Support::sliding);
+  set_supports(problem, nodes, Support::contact);
+
+  nodes.body_nodes.assign(mesh.bodies.size(), {0});
+  const auto number = [&](int index, std::vector<int>& offsets) {
+    Node<dim>& node = nodes.node[index];
+    if (node.number >= 0) return;
+    node.number = static_cast<int>(offsets.size()) - 1;
+    node.unknown = offsets.back();
+    offsets.push_back(offsets.back() + node.free);
+  };
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    auto& offsets = nodes.body_nodes[mesh.cell_body[c]];
+    for (const int v : mesh.cells[c]) number(nodes.at_vertex(v), offsets);
+    if (degree == 2)
+      for (const int e : mesh.cell_edges[c]) number(nodes.at_edge(mesh, e), offsets);
+  }
+  return nodes;
+}
+
+template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes) {
+  const auto& mesh = problem.mesh;
+  const double tolerance = 1e-10 * largest_prescribed(problem, nodes);
+  const Approach<dim> approach{nodes, problem};
+  std::vector<Row> rows;
+  const auto keep = [&](Row row, int facet) {
+    if (!row.entries.empty()) {
+      rows.push_back(std::move(row));
+    } else if (row.bound < -tolerance) {
+      const auto& first = mesh.boundary[problem.contact[facet].first];
+      const Vector<dim>& x = mesh.vertices[first.vertices[0]];
+      throw scene::Error(scene::Status::ill_posed,
+                         "the displacements prescribed at the contact of '" + mesh.parts[first.part] + "' near (" +
+                             std::to_string(x[0]) + ", " + std::to_string(x[1]) + ") close its gap by " +
+                             std::to_string(-row.bound) + " more than it has: no displacement is admissible");
+    }
+  };
+  const auto body_of = [&](int facet) { return mesh.cell_body[mesh.boundary[facet].cell]; };
+
+  // The middle rows come first: where rows depend on each other, the earlier ones are kept active.
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const auto& [ga, gb, gm] = pair.gap;
+    const double middle = 2 * gm - ga / 2 - gb / 2;
+    // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself.
+    if (nodes.degree == 1 && middle >= (ga + gb) / 2) continue;
+    const Vector<dim> d = scene::normal(mesh, pair.first);
+    Row row{{}, middle};
+    for (const int side : {pair.first, pair.second}) {
+      if (side < 0) continue;
+      const auto& facet = mesh.boundary[side];
+      const double sign = side == pair.first ? 1 : -1;
+      for (const int v : facet.vertices)
+        approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * (nodes.degree == 2 ? -0.5 : 0.5));
+      if (nodes.degree == 2) approach.add(row, nodes.at_edge(mesh, facet.edge), body_of(side), d, sign * 2);
+    }
+    keep(std::move(row), static_cast<int>(j));
+  }
+  for (const EndRow& end : end_rows(problem)) {
+    const auto& pair = problem.contact[end.facet];
+    Row row{{}, end.gap};
+    approach.add(row, nodes.at_vertex(end.first), body_of(pair.first), end.normal, 1);
+    if (end.second >= 0) approach.add(row, nodes.at_vertex(end.second), body_of(pair.second), end.normal, -1);
+    keep(std::move(row), end.facet);
+  }
+  return rows;
+}
+
+template struct Node<2>;
+template struct Nodes<2>;
+template Nodes<2> make_nodes(const Problem<2>&, int);
+template std::vector<Row> contact_rows(const Problem<2>&, const Nodes<2>&);
+
+}  // namespace bracket::primal

@@ -1,0 +1,37 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/contact.h"
+#include "scene/scene.h"
+
+/// Displacements: the upper bound. Lagrange elements on triangles, exactly admissible: u_h ∈ K (design §1.3).
+namespace bracket::primal {
+
+/// A continuous displacement field, linear (degree 1) or quadratic (degree 2) on each cell.
+template <int dim> struct Displacement {
+  int degree = 2;
+  std::vector<scene::Vector<dim>> vertex;  ///< at Mesh::vertices
+  std::vector<scene::Vector<dim>> edge;    ///< at the midpoints of Mesh::edges; empty for degree 1
+};
+
+template <int dim> struct Result {
+  contact::Outcome outcome = contact::Outcome::solved;
+  std::string reason;  ///< if not solved: one line, with the body and the motion
+  Displacement<dim> displacement;
+  std::vector<char> active;  ///< per contact row, to start from on the same mesh
+  int unknowns = 0;
+  int rows = 0;
+  int active_rows = 0;
+  int iterations = 0;
+  double imbalance = 0;  ///< see contact::Solution
+  double assemble = 0;   ///< seconds
+  contact::Seconds seconds;
+};
+
+/// Minimises the potential energy L over K_h ⊂ K. [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
+/// g on each contact facet.
+/// \param degree 1 or 2
+/// \throw scene::Error (ill_posed) where prescribed displacements alone already close a gap by more than it has
+template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, int degree);
+
+}  // namespace bracket::primal

@@ -1,0 +1,13 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace bracket::scene {
+
+/// A formula in x and y, with pi and e, as a function: "c ? a : b", ^, sin, sqrt and so on as muParser has them. The
+/// function is not to be called from several threads at once.
+/// \throw Error (input), at `where`, if it is not one formula, names something unknown or assigns
+Function<2> parse_expression(const std::string& formula, const std::string& where);
+
+}  // namespace bracket::scene

@@ -1,0 +1,69 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "scene/scene.h"
+
+namespace bracket::scene {
+
+template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, const Vector<dim>& x) {
+  const Vector<dim> arm = x - motion.centre;
+  return motion.translation + motion.rotation * Vector<dim>(-arm[1], arm[0]);
+}
+
+template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body) {
+  const Mesh<dim>& mesh = problem.mesh;
+  Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  std::vector<std::pair<Vector<dim>, Vector<dim>>> held;  // direction and place of each prescribed displacement
+  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
+    const auto& facet = mesh.boundary[f];
+    if (mesh.cell_body[facet.cell] != body) continue;
+    for (const int v : facet.vertices) {
+      const Vector<dim>& x = mesh.vertices[v];
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+      if (problem.facets[f].support == Support::sliding) held.emplace_back(normal(mesh, static_cast<int>(f)), x);
+      if (problem.facets[f].support == Support::fixed)
+        for (int c = 0; c < dim; ++c) held.emplace_back(Vector<dim>::Unit(c), x);
+    }
+  }
+  const Vector<dim> centre = (low + high) / 2;
+  const double radius = (high - low).norm() / 2;
+  std::array<RigidMotion<dim>, 3> all = {RigidMotion<dim>{Vector<dim>::Unit(0), 0, centre},
+                                         RigidMotion<dim>{Vector<dim>::Unit(1), 0, centre},
+                                         RigidMotion<dim>{Vector<dim>::Zero(), 1 / radius, centre}};
+  if (held.empty()) return {all.begin(), all.end()};
+
+  Eigen::MatrixXd supports(held.size(), 3);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    for (int m = 0; m < 3; ++m) supports(i, m) = held[i].first.dot(displacement(all[m], held[i].second));
+  const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(supports)
+                                .matrixQR()
+                                .topRows(std::min<Eigen::Index>(3, supports.rows()))
+                                .template triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+  std::vector<RigidMotion<dim>> free;
+  // Supports whose normals differ by less than this are taken as parallel: rounding of coordinates, not geometry.
+  constexpr double negligible = 1e-9;
+  for (int m = 0; m < 3; ++m) {
+    const double singular = m < svd.singularValues().size() ? svd.singularValues()[m] : 0;
+    if (singular > negligible * svd.singularValues()[0]) continue;
+    const Eigen::Vector3d y = svd.matrixV().col(m);
+    free.push_back({Vector<dim>(y[0], y[1]), y[2] / radius, centre});
+  }
+  return free;
+}
+
+template <int dim> std::string describe(const RigidMotion<dim>& motion) {
+  if (motion.rotation == 0) return fmt::format("moving it by ({:.3g}, {:.3g})", motion.translation[0], motion.translation[1]);
+  // A translation with a rotation is a rotation about another point.
+  const Vector<dim> pole = motion.centre + Vector<dim>(-motion.translation[1], motion.translation[0]) / motion.rotation;
+  return fmt::format("turning it {} about ({:.3g}, {:.3g})", motion.rotation > 0 ? "counter-clockwise" : "clockwise", pole[0],
+                     pole[1]);
+}
+
+template struct RigidMotion<2>;
+template Vector<2> displacement(const RigidMotion<2>&, const Vector<2>&);
+template std::vector<RigidMotion<2>> free_motions(const Problem<2>&, int);
+template std::string describe(const RigidMotion<2>&);
+
+}  // namespace bracket::scene

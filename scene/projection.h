@@ -1,0 +1,29 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+/// Given functions, fixed on one edge by few values (design §1.2). All throw Error (input), at `where`, if the function
+/// is not finite at a point where it is needed.
+namespace bracket::scene {
+
+template <int n> struct EdgeValues {
+  std::array<double, n> value;  ///< at the ends a and b (and, for n = 3, at the midpoint)
+  double error = 0;             ///< largest difference to the given function at points inside of the edge
+  double largest = 0;           ///< of the given function's magnitude
+};
+
+/// L2 projection on linear functions, by composite quadrature: exact for polynomials of degree 8. A function that is
+/// linear to rounding is taken as its end values and one that is constant inside as that constant, exactly; so jumps
+/// may lie at the ends.
+EdgeValues<2> project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where);
+
+/// The linear function with the given end values.
+EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                 const std::string& where);
+
+/// The quadratic function with the given values at the ends and the midpoint.
+EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                    const std::string& where);
+
+}  // namespace bracket::scene

@@ -1,0 +1,15 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace bracket::scene {
+
+/// The facets' data with prescribed displacements that agree at each vertex to the last bit: what two facets prescribe
+/// there for the same component (fixed or sliding) may differ by 1e-9 of `largest`, the largest displacement given.
+/// \param conditions of each boundary part, null: none
+/// \throw Error (input) if they differ by more
+std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetData<2>> facets,
+                                         const std::vector<const Condition<2>*>& conditions, double largest);
+
+}  // namespace bracket::scene

@@ -1,0 +1,103 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/apps/command.h"
+
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace bracket::apps::tests {
+
+namespace fs = std::filesystem;
+
+Command::Command() {
+  std::string name = (fs::temp_directory_path() / "bracket-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  directory = name;
+}
+
+Command::~Command() { fs::remove_all(directory); }
+
+Ended Command::shell(const std::string& command) const {
+  // Outside of the directory, which commands may fill or examine.
+  const std::string out = directory.string() + ".out", err = directory.string() + ".err";
+  const std::string line = "cd '" + directory.string() + "' && { bracket() { '" BRACKET_PROGRAM "' \"$@\"; }; " +
+                           command + "\n} >'" + out + "' 2>'" + err + "'";
+  const int status = std::system(line.c_str());
+  Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return ended;
+}
+
+void Command::write(const std::string& name, const std::string& content) const {
+  std::ofstream(directory / name, std::ios::binary) << content;
+}
+
+std::string Command::read(const std::string& name) const {
+  std::ifstream file(directory / name, std::ios::binary);
+  if (!file) throw std::runtime_error("no file " + name);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+const char* const two_blocks = R"(
+schema = 1
+title = "Two blocks"
+units = "N, mm, MPa"
+plane = "strain"
+[[mesh.block]]
+body = "lower"
+x = [0, 1]
+y = [0, 1]
+cells = [4, 4]
+[[mesh.block]]
+body = "upper"
+x = [0, 1]
+y = [1, 2]
+cells = [4, 4]
+[bodies.lower]
+E = 1.0
+nu = 0.3
+[bodies.upper]
+E = 2.0
+nu = 0.3
+[boundary."lower.bottom"]
+fixed = [0.0, 0.0]
+[boundary."upper.left"]
+sliding = 0.0
+[boundary."upper.top"]
+traction = ["0", "x < 0.5 ? -0.1 : 0.09"]
+[[contact]]
+first = "upper.bottom"
+second = "lower.top"
+gap = 0.0
+[refine]
+strategy = "none"
+)";
+
+const char* const bending = R"(
+schema = 1
+title = "Bending"
+plane = "strain"
+[[mesh.block]]
+body = "beam"
+x = [0, 2]
+y = [-0.5, 0.5]
+cells = [5, 3]
+[bodies.beam]
+E = 3.0
+nu = 0.25
+[boundary."beam.left"]
+sliding = 0.0
+[boundary."beam.right"]
+traction = ["y", "0"]
+[refine]
+strategy = "none"
+)";
+
+}  // namespace bracket::apps::tests

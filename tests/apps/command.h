@@ -1,0 +1,39 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace bracket::apps::tests {
+
+/// How a command ended and what it said.
+struct Ended {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+/// An empty directory of its own for each test, in which commands are run.
+class Command : public testing::Test {
+ protected:
+  Command();
+  ~Command() override;
+
+  /// Runs a shell command in the directory; "bracket" in it stands for the built program.
+  Ended shell(const std::string& command) const;
+  void write(const std::string& name, const std::string& content) const;
+  std::string read(const std::string& name) const;  ///< \pre there is such a file
+
+  std::filesystem::path directory;
+};
+
+/// Two blocks pressed together on the left half of the top, pulled apart on the right (design §3), on few cells.
+extern const char* const two_blocks;
+
+/// Half a beam in bending, on a shear-free wall, without contact: σ_xx = y, else zero, u quadratic. Both formulations
+/// hold the exact solution.
+extern const char* const bending;
+
+}  // namespace bracket::apps::tests

@@ -1,0 +1,143 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+
+#include "tests/apps/command.h"
+
+namespace bracket::apps::tests {
+namespace {
+
+class CommandLine : public Command {
+ protected:
+  CommandLine() { write("scene.toml", two_blocks); }
+};
+
+// One line that begins with the program's name and holds `part`; nothing on standard output.
+void expect_refused(const Ended& ended, int status, const std::string& part) {
+  EXPECT_EQ(ended.status, status) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  EXPECT_EQ(ended.err.rfind("bracket: ", 0), 0u) << ended.err;
+  EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+}
+
+TEST_F(CommandLine, HelpAndVersionGoToStandardOutput) {
+  const Ended help = shell("bracket --help");
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* word : {"run", "check", "info", "Exit status"}) EXPECT_NE(help.out.find(word), std::string::npos);
+  const Ended version = shell("bracket --version");
+  EXPECT_EQ(version.status, 0);
+  for (const char* word : {"bracket 0.", "deal.II 9.", "CHOLMOD", "OpenBLAS"})
+    EXPECT_NE(version.out.find(word), std::string::npos) << version.out;
+}
+
+TEST_F(CommandLine, UsageErrors) {
+  expect_refused(shell("bracket"), 2, "expected a command");
+  expect_refused(shell("bracket rum scene.toml"), 2, "rum");
+  expect_refused(shell("bracket run"), 2, "SCENE");
+  expect_refused(shell("bracket run scene.toml other.toml"), 2, "other.toml");
+  expect_refused(shell("bracket run scene.toml --fast"), 2, "--fast");
+  expect_refused(shell("bracket run scene.toml -o"), 2, "-o");
+  expect_refused(shell("bracket run scene.toml -o ''"), 2, "folder");
+  expect_refused(shell("bracket check"), 2, "SCENE");
+  expect_refused(shell("bracket info"), 2, "MESH");
+}
+
+TEST_F(CommandLine, WhatTheUserCanMendEndsInOneLineAndItsStatus) {
+  expect_refused(shell("bracket run nowhere.toml"), 2, "nowhere.toml");
+  expect_refused(shell("bracket run ."), 2, ".");
+  expect_refused(shell("bracket info nowhere.msh"), 2, "nowhere.msh");
+  expect_refused(shell("bracket run scene.toml --set bodies.lower.nuu=0.2"), 2, "nuu");
+  expect_refused(shell("bracket check scene.toml --set bodies.lower.E=-1"), 2, "E");
+  expect_refused(shell("bracket check scene.toml --set nonsense"), 2, "nonsense");
+  write("empty.msh", "");
+  expect_refused(shell("bracket info empty.msh"), 3, "empty.msh");
+  // Pulled up as a whole: nothing holds the upper block.
+  expect_refused(shell("bracket run scene.toml --set 'boundary.\"upper.top\".traction=[0, 0.1]'"), 4, "upper");
+  EXPECT_EQ(shell("bracket check scene.toml --set 'boundary.\"upper.top\".traction=[0, 0.1]'").status, 4);
+}
+
+TEST_F(CommandLine, OverridesChangeTheScene) {
+  const Ended stiff = shell("bracket run scene.toml --quiet --set bodies.lower.E=1e3 --set bodies.upper.E=2e3");
+  const Ended given = shell("bracket run scene.toml --quiet");
+  ASSERT_EQ(stiff.status, 0) << stiff.err;
+  // Energies of a problem with given forces go with the inverse of the modulus.
+  const auto lower = [](const Ended& ended) { return std::stod(ended.out.substr(ended.out.find('[') + 1)); };
+  EXPECT_NEAR(1e3 * lower(stiff), lower(given), 1e-9 * std::abs(lower(given)));
+}
+
+TEST_F(CommandLine, CheckTellsWhatItUnderstoodAndWritesNothing) {
+  const Ended ended = shell("bracket check scene.toml");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  for (const char* part : {"body lower: 32 cells, area 1", "lower.bottom: 4 edges, length 1: fixed",
+                           "upper.right: 4 edges, length 1: free", "upper.bottom on lower.top: 4 edges", "solvable"})
+    EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
+  EXPECT_EQ(shell("ls").out, "scene.toml\n");
+}
+
+TEST_F(CommandLine, InfoCountsAMeshAndTellsWhatItMended) {
+  // A unit square of two triangles, the second clockwise.
+  write("square.msh", R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 1 "base"
+2 2 "plate"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+3
+1 1 2 1 1 1 2
+2 2 2 2 1 1 2 3
+3 2 2 2 1 1 4 3
+$EndElements
+)");
+  const Ended ended = shell("bracket info square.msh");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  for (const char* part : {"2 cells, 4 vertices, 5 edges", "angles 45.0 to 90.0", "body plate: 2 cells, area 1",
+                           "base: 1 edges, length 1", "without a name: 3 edges, length 3"})
+    EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
+  EXPECT_EQ(ended.err.rfind("note: ", 0), 0u) << ended.err;
+}
+
+TEST_F(CommandLine, PipedOutputHoldsNoControlCharacters) {
+  const Ended ended = shell("bracket run scene.toml");
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(ended.out.find('\033'), std::string::npos);
+  EXPECT_EQ(ended.out.find('\r'), std::string::npos);
+}
+
+TEST_F(CommandLine, ATerminalGetsProgressAndColourUnlessNotWanted) {
+  const std::string on_terminal = "script -qec \"'" BRACKET_PROGRAM "' run scene.toml";
+  const auto holds = [](const Ended& ended, const char* part) { return ended.out.find(part) != std::string::npos; };
+  const Ended plain = shell("unset NO_COLOR; " + on_terminal + "\" /dev/null");
+  EXPECT_TRUE(holds(plain, "\033[1menergy in [")) << plain.out;
+  EXPECT_TRUE(holds(plain, "\r\033[K")) << plain.out;
+  EXPECT_FALSE(holds(shell("NO_COLOR=1 " + on_terminal + "\" /dev/null"), "\033[1m"));
+  EXPECT_FALSE(holds(shell(on_terminal + " --quiet\" /dev/null"), "\r\033[K"));
+}
+
+#ifdef NDEBUG
+TEST_F(CommandLine, TheSmallestSceneTakesLessThanASecond) {
+  using Clock = std::chrono::steady_clock;
+  double fastest = 1e9;  // of three: the machine may be busy
+  for (int i = 0; i < 3; ++i) {
+    const Clock::time_point start = Clock::now();
+    ASSERT_EQ(shell("bracket run scene.toml").status, 0);
+    fastest = std::min(fastest, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  EXPECT_LT(fastest, 1.0);
+}
+#endif
+
+}  // namespace
+}  // namespace bracket::apps::tests

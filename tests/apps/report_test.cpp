@@ -1,0 +1,131 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "tests/apps/command.h"
+
+namespace bracket::apps::tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class Report : public Command {
+ protected:
+  Report() {
+    write("contact.toml", two_blocks);
+    write("bending.toml", bending);
+  }
+};
+
+// The interval in the first line of the text, to the last bit.
+std::pair<double, double> interval(const std::string& text) {
+  std::size_t end;
+  const std::size_t begin = text.find('[') + 1;
+  const double lower = std::stod(text.substr(begin), &end);
+  return {lower, std::stod(text.substr(begin + end + 1))};
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream in(line);
+  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
+  return words;
+}
+
+TEST_F(Report, TextJsonAndTableTellTheSameDoubles) {
+  const Ended ended = shell("bracket run contact.toml");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json json = Json::parse(read("contact.out/report.json"));
+  const double lower = json["energy"]["lower"], upper = json["energy"]["upper"];
+  EXPECT_LT(lower, upper);
+  EXPECT_EQ(interval(ended.out), std::pair(lower, upper));
+  EXPECT_EQ(ended.out.rfind("energy in [", 0), 0u);
+
+  std::istringstream table(read("contact.out/history.csv"));
+  std::string names, values, more;
+  std::getline(table, names);
+  std::getline(table, values);
+  EXPECT_FALSE(std::getline(table, more)) << "one level only";
+  const std::vector<std::string> name = split(names), value = split(values);
+  ASSERT_EQ(name.size(), value.size());
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const Json& level = json["levels"][0];
+    if (!level.contains(name[i])) continue;  // the table is flat: it has contact_rows for contact.rows
+    EXPECT_EQ(level[name[i]].get<double>(), std::stod(value[i])) << name[i];
+  }
+}
+
+TEST_F(Report, JsonHasItsFields) {
+  ASSERT_EQ(shell("bracket run contact.toml").status, 0);
+  const Json json = Json::parse(read("contact.out/report.json"));
+  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["title"], "Two blocks");
+  EXPECT_EQ(json["units"], "N, mm, MPa");
+  EXPECT_EQ(json["guarantee"], "discretisation");
+  EXPECT_EQ(json["status"], "done");
+  EXPECT_EQ(json["notes"], Json::array());
+  EXPECT_TRUE(json["version"].is_string());
+  ASSERT_EQ(json["levels"].size(), 1u);
+  const Json& level = json["levels"][0];
+  EXPECT_EQ(level["cells"], 64);
+  EXPECT_EQ(level["lower"], json["energy"]["lower"]);
+  EXPECT_EQ(level["upper"], json["energy"]["upper"]);
+  EXPECT_EQ(level["relative_error_bound"], json["relative_error_bound"]);
+  for (const char* phase : {"mesh", "primal", "dual", "estimate", "total"})
+    EXPECT_TRUE(level["seconds"][phase].is_number()) << phase;
+  EXPECT_GE(level["contact"]["rows"], level["contact"]["active"]);
+  EXPECT_GT(level["contact"]["active"], 0);
+  EXPECT_GE(level["contact"]["iterations"], 1);
+  for (const char* check :
+       {"penetration", "equilibrium", "interface_jump", "boundary_traction", "tension", "gap_identity"}) {
+    ASSERT_TRUE(json["checks"][check].is_number()) << check;
+    EXPECT_LE(json["checks"][check], json["checks"]["tolerance"]) << check;
+  }
+  EXPECT_TRUE(json["checks"]["data_oscillation"]["traction"].is_number());
+  EXPECT_TRUE(json["skipped"].is_array());
+}
+
+TEST_F(Report, TheErrorBoundFollowsFromTheInterval) {
+  ASSERT_EQ(shell("bracket run contact.toml").status, 0);
+  const Json json = Json::parse(read("contact.out/report.json"));
+  const double upper = json["energy"]["upper"], width = upper - json["energy"]["lower"].get<double>();
+  // Without prescribed displacements or gaps L(u_h) = -½ ‖u_h‖²_A at the minimum over a cone.
+  EXPECT_NEAR(json["relative_error_bound"], std::sqrt(2 * width / (-2 * upper)), 1e-8);
+  EXPECT_NEAR(json["error_bound"], std::sqrt(2 * width), 1e-12);
+}
+
+TEST_F(Report, JsonAloneOnStandardOutputIsTheFile) {
+  const Ended ended = shell("bracket run contact.toml --json");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(ended.out, read("contact.out/report.json"));
+}
+
+TEST_F(Report, QuietLeavesTheFirstLine) {
+  const Ended loud = shell("bracket run contact.toml");
+  const Ended quiet = shell("bracket run contact.toml --quiet");
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+  EXPECT_EQ(quiet.out, loud.out.substr(0, loud.out.find('\n') + 1));
+}
+
+TEST_F(Report, AnExactSolutionHasAnErrorOfRoundingSize) {
+  ASSERT_EQ(shell("bracket run bending.toml").status, 0);
+  const Json json = Json::parse(read("bending.out/report.json"));
+  // L(u) = -½ ∫ σ : ε = -½ (1 - ν²)/E ∫ y² = -½ · 0.9375/3 · 2/12, in plane strain.
+  const double exact = -0.5 * 0.9375 / 3 / 6;
+  EXPECT_NEAR(json["energy"]["lower"], exact, 1e-12 * std::abs(exact));
+  EXPECT_NEAR(json["energy"]["upper"], exact, 1e-12 * std::abs(exact));
+  EXPECT_EQ(json["levels"][0]["contact"]["rows"], 0);
+}
+
+TEST_F(Report, NamesWithAnyCharactersLeaveTheJsonReadable) {
+  ASSERT_EQ(shell("bracket run bending.toml --set 'title=\"quote \\\" and umlaut \xc3\xbc\"'").status, 0);
+  EXPECT_EQ(Json::parse(read("bending.out/report.json"))["title"], "quote \" and umlaut \xc3\xbc");
+}
+
+}  // namespace
+}  // namespace bracket::apps::tests

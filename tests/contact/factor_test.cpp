@@ -1,0 +1,96 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/factor.h"
+#include "contact/order.h"
+#include "tests/contact/truss.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace bracket::contact {
+namespace {
+
+using namespace test;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// A random symmetric matrix over nodes of two unknowns; diagonally dominant, so its condition is below 4.
+Sparse random_matrix(int n_nodes, int n_edges, std::mt19937& random) {
+  MatrixXd dense = MatrixXd::Identity(2 * n_nodes, 2 * n_nodes);
+  const double size = 0.3 / n_edges * n_nodes;
+  for (int e = 0; e < n_edges; ++e) {
+    const Index a = static_cast<Index>(random() % n_nodes), b = static_cast<Index>(random() % n_nodes);
+    if (a == b) continue;
+    const VectorXd entries = random_vector(4, random).cwiseMax(-1).cwiseMin(1) * std::min(size, 0.02);
+    dense.block<2, 2>(2 * a, 2 * b) += Eigen::Map<const Eigen::Matrix2d>(entries.data());
+    dense.block<2, 2>(2 * b, 2 * a) = dense.block<2, 2>(2 * a, 2 * b).transpose().eval();
+  }
+  return lower(dense);
+}
+
+TEST(Order, IsAPermutationWithTheLastOnesLast) {
+  std::mt19937 random(4);
+  for (int n_nodes : {0, 1, 2, 30, 700}) {  // both ways to order
+    const Sparse matrix = n_nodes ? random_matrix(n_nodes, 3 * n_nodes, random) : Sparse(0, 0);
+    std::vector<int> last;
+    for (int i = 0; i < 2 * n_nodes; ++i)
+      if (random() % 10 == 0) last.push_back(i);
+    const std::vector<int> sequence = order(matrix, pairs(2 * n_nodes), last);
+    EXPECT_EQ(std::set<int>(sequence.begin(), sequence.end()).size(), static_cast<std::size_t>(2 * n_nodes));
+    EXPECT_EQ(std::vector<int>(sequence.end() - static_cast<std::ptrdiff_t>(last.size()), sequence.end()), last);
+  }
+}
+
+// Few edges leave the graph in pieces: then CHOLMOD mixes the last unknowns of one piece with others of the next.
+TEST(Factor, TrailingBlockIsTheFactorOfTheSchurComplement) {
+  std::mt19937 random(5);
+  for (int n_edges : {20, 40, 400}) {
+    const int n_nodes = 40;
+    const Sparse matrix = random_matrix(n_nodes, n_edges, random);
+    const MatrixXd dense = matrix.selfadjointView<Eigen::Lower>();
+    std::vector<int> last;
+    for (int i = 0; i < 2 * n_nodes; ++i)
+      if (random() % 6 == 0) last.push_back(i);
+    Factor factor(matrix, pairs(2 * n_nodes), last);
+    ASSERT_TRUE(factor.factorise(matrix));
+    const Trailing trailing = factor.trailing();
+    EXPECT_EQ(std::set<int>(trailing.unknowns.begin(), trailing.unknowns.end()), std::set<int>(last.begin(), last.end()));
+    const MatrixXd schur_inverse = dense.inverse()(trailing.unknowns, trailing.unknowns);
+    const MatrixXd product = schur_inverse * trailing.lower * trailing.lower.transpose();
+    const auto n = static_cast<Index>(last.size());
+    EXPECT_LE((product - MatrixXd::Identity(n, n)).norm(), 80 * 16 * std::numeric_limits<double>::epsilon());
+
+    const VectorXd right = random_vector(2 * n_nodes, random);
+    EXPECT_LE((dense * factor.solve(right) - right).norm(),
+              80 * 16 * std::numeric_limits<double>::epsilon() * right.norm());
+  }
+}
+
+TEST(Factor, RefusesWhatIsNotDefinite) {
+  std::mt19937 random(6);
+  const auto definite = [](const MatrixXd& matrix) {
+    Factor factor(lower(matrix), pairs(matrix.rows()), {});
+    return factor.factorise(lower(matrix));
+  };
+  for (double unit : {1e-12, 1.0, 1e12}) {
+    const MatrixXd stiffness = unit * random_truss(9, random).stiffness;
+    const MatrixXd one = MatrixXd::Identity(18, 18);
+    EXPECT_FALSE(definite(stiffness));                          // rigid motions
+    EXPECT_TRUE(definite(stiffness + 1e-9 * unit * one));       // weakly supported
+    EXPECT_FALSE(definite(stiffness - 1e-9 * unit * one));
+    EXPECT_FALSE(definite(-stiffness));
+    EXPECT_FALSE(definite(MatrixXd::Zero(18, 18)));
+  }
+  MatrixXd poisoned = MatrixXd::Identity(4, 4);
+  poisoned(2, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(definite(poisoned));
+}
+
+TEST(Factor, OfNothing) {
+  Factor factor(Sparse(0, 0), {0}, {});
+  EXPECT_TRUE(factor.factorise(Sparse(0, 0)));
+  EXPECT_EQ(factor.solve(VectorXd(0)).size(), 0);
+  EXPECT_EQ(factor.trailing().lower.size(), 0);
+}
+
+}  // namespace
+}  // namespace bracket::contact

@@ -1,0 +1,199 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/block_element.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace bracket::dual {
+namespace {
+
+using scene::Vector;
+using scene::Voigt;
+using Plane = Vector<2>;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Isosceles with the given angle at vertex 0, turned by 1 rad.
+Triangle isosceles(double degrees) {
+  const double half = degrees * M_PI / 360;
+  const Eigen::Rotation2Dd turn(1);
+  return {Plane(3, -2), Plane(3, -2) + turn * Plane(std::cos(half), -std::sin(half)),
+          Plane(3, -2) + turn * Plane(std::cos(half), std::sin(half))};
+}
+
+std::vector<Triangle> triangles() {
+  return {{Plane(0, 0), Plane(1, 0), Plane(0, 1)}, {Plane(2, 1), Plane(5, 1.5), Plane(3, 4)}, isosceles(1), isosceles(178),
+          {Plane(0, 0), Plane(1e-9, 0), Plane(2e-10, 1e-9)}, {Plane(0, 0), Plane(1e9, 0), Plane(1e8, 1e9)}};
+}
+
+scene::Elasticity<2> compliance() { return scene::isotropic<2>(2, 0.3, false).compliance; }
+
+Plane traction(const Voigt<2>& s, const Plane& n) { return {s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]}; }
+
+Plane outward(const Triangle& t, int edge) {
+  const Plane along = t[(edge + 2) % 3] - t[(edge + 1) % 3];
+  return {along[1], -along[0]};
+}
+
+/// Longest edge squared by twice the area: rounding grows with it.
+double aspect(const Triangle& t) {
+  double longest = 0;
+  for (int e = 0; e < 3; ++e) longest = std::max(longest, outward(t, e).squaredNorm());
+  return longest / std::abs(outward(t, 0).dot(t[1] - t[0]));
+}
+
+ModeVector random_amplitudes(unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  return ModeVector::NullaryExpr([&] { return uniform(generator); });
+}
+
+/// The three rigid motions as edge displacements.
+Eigen::Matrix<double, n_loads, 3> rigid(const Triangle& t) {
+  const Plane centre = (t[0] + t[1] + t[2]) / 3;
+  const double size = (t[1] - t[0]).norm() + (t[2] - t[0]).norm();
+  Eigen::Matrix<double, n_loads, 3> motions;
+  for (int e = 0; e < 3; ++e)
+    for (int i = 0; i < 2; ++i) {
+      const Plane arm = (t[(e + 1 + i) % 3] - centre) / size;
+      motions.middleRows<2>(4 * e + 2 * i) << 1, 0, -arm[1], 0, 1, arm[0];
+    }
+  return motions;
+}
+
+double largest(const Corners& stress) {
+  double value = 0;
+  for (const auto& s : stress) value = std::max(value, s.cwiseAbs().maxCoeff());
+  return value;
+}
+
+TEST(BlockElement, stiffness_has_rank_nine_and_only_rigid_motions_in_its_kernel) {
+  for (const Triangle& t : triangles()) {
+    const auto half = half_stiffness(block_element(t, compliance()));
+    const CellMatrix k = half.transpose() * half;
+    EXPECT_LT((k * rigid(t)).norm(), 1e-10 * k.norm());
+    // Rows and columns scaled to a unit diagonal, so that the rank does not hide behind the shape of the cell.
+    const LoadVector scale = k.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::SelfAdjointEigenSolver<CellMatrix> eigen(CellMatrix(scale.asDiagonal() * k * scale.asDiagonal()));
+    const LoadVector values = eigen.eigenvalues();
+    for (int i = 0; i < 3; ++i) EXPECT_LT(std::abs(values[i]), 1e3 * eps);
+    EXPECT_GT(values[3], 1e-9);
+  }
+}
+
+TEST(BlockElement, each_equilibrated_linear_side_load_has_exactly_one_stress) {  // [HH81, Theorem 2.1]
+  for (const Triangle& t : triangles()) {
+    const BlockElement block = block_element(t, compliance());
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(block.loads);
+    EXPECT_GT(svd.singularValues()[8], 1e-6 * svd.singularValues()[0]);  // one at most
+    // Loads of modes do no work in rigid motions, and 12 − 3 = 9: one at least.
+    EXPECT_LT((rigid(t).transpose() * block.loads).norm(), 1e2 * eps * block.loads.norm());
+  }
+}
+
+TEST(BlockElement, modes_have_no_divergence_and_continuous_tractions) {
+  for (const Triangle& t : triangles()) {
+    const Corners s = stress_at_corners(block_element(t, compliance()), random_amplitudes(7));
+    const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+    for (int k = 0; k < 3; ++k) {
+      // The tractions on a closed curve balance where the divergence vanishes: over each part, linear fields.
+      const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
+      Plane force = Plane::Zero();
+      double size = 0;
+      for (int c = 0; c < 3; ++c) {
+        const Plane n = outward(part, (c + 2) % 3);  // the edge from corner c to c+1
+        const Plane share = (traction(s[3 * k + c], n) + traction(s[3 * k + (c + 1) % 3], n)) / 2;
+        force += share;
+        size += share.norm();
+      }
+      EXPECT_LT(force.norm(), 1e3 * eps * aspect(t) * size);
+      const Plane inner = t[(k + 2) % 3] - centroid, n = Plane(inner[1], -inner[0]).normalized();
+      const int next = 3 * ((k + 1) % 3);
+      EXPECT_LT(traction(s[3 * k + 1] - s[next], n).norm(), 1e3 * eps * aspect(t) * largest(s));
+      EXPECT_LT(traction(s[3 * k + 2] - s[next + 2], n).norm(), 1e3 * eps * aspect(t) * largest(s));
+    }
+  }
+}
+
+TEST(BlockElement, contains_all_divergence_free_linear_stresses) {
+  const auto field = [](const Plane& x) { return Voigt<2>(1 + 2 * x[0] - x[1], -3 + x[0] + 4 * x[1], 2 - 4 * x[0] - 2 * x[1]); };
+  for (const Triangle& t : {triangles()[0], triangles()[1], triangles()[2]}) {
+    const BlockElement block = block_element(t, compliance());
+    LoadVector loads;
+    for (int e = 0; e < 3; ++e) {
+      const Plane n = outward(t, e), a = traction(field(t[(e + 1) % 3]), n), b = traction(field(t[(e + 2) % 3]), n);
+      loads.segment<4>(4 * e) << (2 * a + b) / 6, (a + 2 * b) / 6;
+    }
+    const ModeVector amplitudes = block.loads.colPivHouseholderQr().solve(loads);
+    EXPECT_LT((block.loads * amplitudes - loads).norm(), 1e2 * eps * loads.norm());
+    const Corners s = stress_at_corners(block, amplitudes);
+    const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+    for (int k = 0; k < 3; ++k) {
+      const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
+      for (int c = 0; c < 3; ++c) EXPECT_LT((s[3 * k + c] - field(part[c])).norm(), 1e3 * eps * std::pow(aspect(t), 2) * largest(s));
+    }
+  }
+}
+
+TEST(BlockElement, affine_maps_carry_modes_loads_and_compliance) {
+  Eigen::Matrix2d b;
+  b << 3, 40, -0.5, 0.02;
+  b *= b.determinant() > 0 ? 1 : -1;
+  if (b.determinant() < 0) b.col(0) *= -1;
+  const Triangle t = triangles()[1];
+  const Triangle mapped = {b * t[0], b * t[1], b * t[2]};
+  const BlockElement from = block_element(t, compliance()), to = block_element(mapped, compliance());
+  for (int r = 0; r < n_loads; r += 2)
+    EXPECT_LT((to.loads.middleRows<2>(r) - b * from.loads.middleRows<2>(r)).norm(), 1e2 * eps * to.loads.norm());
+  const Corners s = stress_at_corners(from, random_amplitudes(3)), image = stress_at_corners(to, random_amplitudes(3));
+  for (int c = 0; c < 9; ++c) {
+    Eigen::Matrix2d full;
+    full << s[c][0], s[c][2], s[c][2], s[c][1];
+    const Eigen::Matrix2d carried = b * full * b.transpose() / b.determinant();
+    EXPECT_LT((Voigt<2>(carried(0, 0), carried(1, 1), carried(0, 1)) - image[c]).norm(), 1e3 * eps * largest(image));
+  }
+}
+
+TEST(BlockElement, compliance_is_the_energy_of_its_stresses) {
+  for (const Triangle& t : triangles()) {
+    const BlockElement block = block_element(t, compliance());
+    const ModeVector amplitudes = random_amplitudes(11);
+    const Corners s = stress_at_corners(block, amplitudes);
+    const double area = std::abs(outward(t, 0).dot(t[1] - t[0])) / 2;
+    double energy = 0;
+    for (int k = 0; k < 3; ++k)  // midpoints of the edges: exact for quadratics
+      for (int c = 0; c < 3; ++c) {
+        const Voigt<2> middle = (s[3 * k + c] + s[3 * k + (c + 1) % 3]) / 2;
+        energy += area / 9 * middle.dot(compliance() * middle);
+      }
+    EXPECT_NEAR(amplitudes.dot(block.compliance * amplitudes), energy, 1e-11 * energy);
+  }
+}
+
+TEST(BlockElement, particular_field_carries_the_body_force) {
+  const Plane force(0.7, -2);
+  for (const Triangle& t : triangles()) {
+    const BlockElement block = block_element(t, compliance());
+    const Particular field = particular(t, block, compliance(), force);
+    const double area = std::abs(outward(t, 0).dot(t[1] - t[0])) / 2;
+    Plane resultant = Plane::Zero();
+    for (int r = 0; r < n_loads; r += 2) resultant += field.loads.segment<2>(r);
+    EXPECT_LT((resultant + area * force).norm(), 1e2 * eps * field.loads.norm() + 1e2 * eps * area * force.norm());
+    // Its coupling is the mixed term of the energy of both fields together: a quadratic form is exact at midpoints.
+    const ModeVector amplitudes = random_amplitudes(5);
+    const Corners s = stress_at_corners(block, amplitudes);
+    double mixed = 0, size = 0;
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < 3; ++c) {
+        const Voigt<2> a = (s[3 * k + c] + s[3 * k + (c + 1) % 3]) / 2;
+        const Voigt<2> l = (field.stress[3 * k + c] + field.stress[3 * k + (c + 1) % 3]) / 2;
+        mixed += area / 9 * a.dot(compliance() * l);
+        size += area / 9 * std::abs(a.dot(compliance() * l));
+      }
+    EXPECT_NEAR(amplitudes.dot(field.coupling), mixed, 1e-11 * size);
+  }
+}
+
+}  // namespace
+}  // namespace bracket::dual

@@ -1,0 +1,117 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "primal/primal.h"
+
+#include <gtest/gtest.h>
+
+#include "primal/elasticity.h"
+#include "primal/nodes.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::primal {
+namespace {
+
+using scene::Vector;
+
+TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_exact) {
+  const auto problem = tests::problem(tests::patch(3, 0.3, 0.01, 2));
+  for (const int degree : {1, 2})
+    for_each_cell<2>(problem, 0, degree, [&](int cell, const Eigen::MatrixXd& k, const Eigen::VectorXd&) {
+      const auto& mesh = problem.mesh;
+      const auto& v = mesh.cells[cell];
+      const int n = nodes_per_cell(degree);
+      Eigen::MatrixXd fields(2 * n, 6);  // 1, 1, turn, and three uniform strains
+      for (int i = 0; i < n; ++i) {
+        Vector<2> x = mesh.vertices[v[i % 3]];
+        if (i >= 3) x = (mesh.vertices[v[(i + 1) % 3]] + mesh.vertices[v[(i + 2) % 3]]) / 2;
+        fields.middleRows<2>(2 * i) << 1, 0, -x[1], x[0], 0, x[1] / 2, 0, 1, x[0], 0, x[1], x[0] / 2;
+      }
+      const Eigen::MatrixXd energy = fields.transpose() * k * fields;
+      Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(6, 6);
+      exact.bottomRightCorner<3, 3>() = scene::volume(mesh, cell) * problem.bodies[0].stiffness;
+      EXPECT_LT((energy - exact).norm(), 1e-13 * k.norm());
+      EXPECT_LT((k - k.transpose()).norm(), 1e-15 * k.norm());
+    });
+}
+
+TEST(Displacements, patch_is_exact_for_both_degrees) {
+  const auto problem = tests::problem(tests::patch(1e6, 0.3, 0.01, 3));
+  for (const int degree : {1, 2}) {
+    const auto result = solve(problem, degree);
+    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v)
+      EXPECT_NEAR(result.displacement.vertex[v][1], -0.01 * (problem.mesh.vertices[v][1] + 0.5), 1e-14);
+  }
+}
+
+/// A rectangle on a V-shaped rigid wall: its lowest vertex has two contact normals.
+scene::Problem<2> wedge(double half_angle) {
+  scene::Problem<2> problem;
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.bodies["b"].force = {-std::cos(half_angle), -std::sin(half_angle)};
+  scene.contact = {{"b.bottom", "rigid", tests::constant(0), ""}, {"b.left", "rigid", tests::constant(0), ""}};
+  return tests::problem(scene);
+}
+
+TEST(Displacements, vertex_with_two_contact_normals_keeps_both_rows) {
+  const auto problem = wedge(0.7);
+  const auto result = solve(problem, 2);
+  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+  EXPECT_EQ(result.rows, 2 * (4 + 5));  // middles and ends of both sides; the corner has one row of each
+  for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v) {
+    const auto& x = problem.mesh.vertices[v];
+    if (x[0] == 0) {
+      EXPECT_GE(result.displacement.vertex[v][0], -1e-13);
+    }
+    if (x[1] == 0) {
+      EXPECT_GE(result.displacement.vertex[v][1], -1e-13);
+    }
+  }
+}
+
+TEST(ContactRows, decided_rows_are_dropped_or_refused) {
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 2, 2)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.contact = {{"b.bottom", "rigid", tests::constant(0.1), ""}};
+  scene.boundary = {{"b.left", tests::fixed(0, -0.05)}, {"b.right", tests::sliding(0)}};
+  {
+    const auto problem = tests::problem(scene);
+    const auto rows = contact_rows(problem, make_nodes(problem, 2));
+    EXPECT_EQ(rows.size(), 2u + 2u);  // two middles, the inner and the right end: the left end is clamped
+    EXPECT_EQ(solve(problem, 2).outcome, contact::Outcome::solved);
+  }
+  scene.boundary["b.left"] = tests::fixed(0, -0.2);  // deeper than the gap
+  try {
+    solve(tests::problem(scene), 2);
+    FAIL() << "not refused";
+  } catch (const scene::Error& error) {
+    EXPECT_EQ(error.status(), scene::Status::ill_posed);
+    EXPECT_NE(std::string(error.what()).find("b.bottom"), std::string::npos);
+  }
+}
+
+TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
+  // A gap that is closed at the ends of one facet and negative between: nodes alone would see no contact.
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.contact = {{"b.bottom", "rigid", [](const Vector<2>& x) { return -x[0] * (1 - x[0]); }, ""}};
+  scene.boundary = {{"b.top", tests::fixed(0, 0)}};
+  const auto problem = tests::problem(scene);
+  for (const int degree : {1, 2}) {
+    const auto result = solve(problem, degree);
+    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    const auto& facet = problem.mesh.boundary[problem.contact[0].first];
+    const double a = result.displacement.vertex[facet.vertices[0]][1], b = result.displacement.vertex[facet.vertices[1]][1];
+    const double middle = degree == 2 ? result.displacement.edge[facet.edge][1] : (a + b) / 2;
+    for (const double s : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+      const double u = (1 - s) * (1 - 2 * s) * a + s * (2 * s - 1) * b + 4 * s * (1 - s) * middle;
+      EXPECT_GE(u, s * (1 - s) - 1e-12) << "degree " << degree << " at " << s;  // −u ≤ g
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bracket::primal

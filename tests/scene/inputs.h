@@ -1,0 +1,61 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+#include <functional>
+#include <optional>
+
+/// Files and scenes for the tests of this folder.
+namespace bracket::scene::test {
+
+/// A folder that is there as long as the object is.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  /// Writes a file into it. \return its path
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The Error that an action throws, if it does; anything else it throws goes through.
+std::optional<Error> error_of(const std::function<void()>& action);
+
+/// `text` with the one occurrence of `from` replaced. \throw std::logic_error if there is not exactly one
+std::string replaced(const std::string& text, const std::string& from, const std::string& to);
+
+/// A valid scene of two blocks in contact, with every section.
+std::string two_blocks();
+
+/// What a small .msh file holds; tags are places + 1.
+struct GmshContent {
+  struct Element {
+    int physical;
+    std::vector<int> nodes;
+  };
+  std::vector<std::array<double, 2>> nodes;
+  std::vector<Element> lines;
+  std::vector<Element> triangles;
+  std::string names;  ///< lines of $PhysicalNames
+};
+/// Two unit squares, the second a body of its own on top of the first; parts "base", "joint below", "joint above"; the
+/// rest is in no physical curve.
+GmshContent two_squares();
+std::string gmsh_2(const GmshContent& content);
+std::string gmsh_4(const GmshContent& content);
+
+Function<2> constant(double value);
+
+/// A unit square "a" (cells × cells) below one "b", both of E = 1, ν = 0, in contact, with the given conditions.
+Scene<2> stacked(int cells, std::map<std::string, Condition<2>> boundary);
+
+/// The place of the facet of `part` whose midpoint is nearest to x.
+int facet_at(const Mesh<2>& mesh, const std::string& part, const Vector<2>& x);
+
+}  // namespace bracket::scene::test

@@ -1,0 +1,152 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "inputs.h"
+#include "scene/topology.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace bracket::scene {
+namespace {
+
+Mesh<2> blocks() {
+  Scene<2> scene;
+  scene.blocks = {{"a", {{{0, 3}, {-1, 1}}}, {3, 5}, ""}, {"b", {{{10, 10.7}, {0, 0.1}}}, {7, 1}, ""}};
+  return build_mesh(scene);
+}
+
+/// What holds for every mesh, whatever it came from.
+void expect_sound(const Mesh<2>& mesh) {
+  ASSERT_EQ(mesh.cell_edges.size(), mesh.cells.size());
+  ASSERT_EQ(mesh.cell_body.size(), mesh.cells.size());
+  EXPECT_TRUE(std::is_sorted(mesh.edges.begin(), mesh.edges.end()));
+  std::vector<int> cells_at_edge(mesh.edges.size(), 0);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    EXPECT_GT(volume(mesh, static_cast<int>(cell)), 0);
+    for (int k = 0; k < 3; ++k) {
+      const auto [lower, upper] = std::minmax(mesh.cells[cell][(k + 1) % 3], mesh.cells[cell][(k + 2) % 3]);
+      EXPECT_EQ(mesh.edges[mesh.cell_edges[cell][k]], (std::array{lower, upper}));
+      ++cells_at_edge[mesh.cell_edges[cell][k]];
+    }
+  }
+  EXPECT_EQ(std::count(cells_at_edge.begin(), cells_at_edge.end(), 1),
+            static_cast<std::ptrdiff_t>(mesh.boundary.size()));
+  std::vector<Vector<2>> closed(mesh.bodies.size(), Vector<2>::Zero());
+  std::vector<double> turning(mesh.bodies.size(), 0);  // ∫ x·n = 2 area: fails if normals point inwards
+  std::vector<double> area(mesh.bodies.size(), 0);
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    area[mesh.cell_body[cell]] += volume(mesh, static_cast<int>(cell));
+  }
+  double size = 0;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    const auto& facet = mesh.boundary[i];
+    EXPECT_EQ(cells_at_edge[facet.edge], 1);
+    EXPECT_EQ(mesh.cell_edges[facet.cell][facet.local], facet.edge);
+    EXPECT_EQ(facet.vertices[0], mesh.cells[facet.cell][(facet.local + 1) % 3]);
+    EXPECT_EQ(facet.vertices[1], mesh.cells[facet.cell][(facet.local + 2) % 3]);
+    const int body = mesh.cell_body[facet.cell];
+    const Vector<2> outward = normal(mesh, static_cast<int>(i)) * length(mesh, static_cast<int>(i));
+    closed[body] += outward;
+    turning[body] += mesh.vertices[facet.vertices[0]].dot(outward);
+    size = std::max(size, mesh.vertices[facet.vertices[0]].norm());
+  }
+  for (std::size_t body = 0; body < mesh.bodies.size(); ++body) {
+    const double rounding = 1e-15 * size * static_cast<double>(mesh.boundary.size());
+    EXPECT_LE(closed[body].norm(), rounding);
+    EXPECT_NEAR(turning[body], 2 * area[body], rounding * size);
+  }
+}
+
+TEST(Blocks, AreSound) { expect_sound(blocks()); }
+
+TEST(Blocks, SatisfyEulersFormulaAndFillTheRectangles) {
+  const Mesh<2> mesh = blocks();
+  const auto count = [](const auto& list) { return static_cast<std::ptrdiff_t>(list.size()); };
+  EXPECT_EQ(count(mesh.vertices) - count(mesh.edges) + count(mesh.cells), 2);  // 1 for each simply connected body
+  EXPECT_EQ(count(mesh.cells), 2 * (15 + 7));
+  double area = 0;
+  for (int cell = 0; cell < count(mesh.cells); ++cell) area += volume(mesh, cell);
+  EXPECT_NEAR(area, 6 + 0.07, 1e-14);
+}
+
+TEST(Blocks, NameTheirSides) {
+  const Mesh<2> mesh = blocks();
+  ASSERT_EQ(mesh.parts.size(), 8u);
+  const std::map<std::string, Vector<2>> outward = {
+      {"left", {-1, 0}}, {"right", {1, 0}}, {"bottom", {0, -1}}, {"top", {0, 1}}};
+  std::map<std::string, double> total;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i) {
+    const auto& facet = mesh.boundary[i];
+    ASSERT_NE(facet.part, -1);
+    const std::string& part = mesh.parts[facet.part];
+    EXPECT_EQ(part.substr(0, 2), mesh.bodies[mesh.cell_body[facet.cell]] + ".");
+    EXPECT_EQ(normal(mesh, static_cast<int>(i)), outward.at(part.substr(2))) << part;
+    total[part] += length(mesh, static_cast<int>(i));
+  }
+  EXPECT_NEAR(total["a.left"], 2, 1e-14);
+  EXPECT_NEAR(total["a.top"], 3, 1e-14);
+  EXPECT_NEAR(total["b.bottom"], 0.7, 1e-14);
+}
+
+TEST(Blocks, AreCutFromLowerLeftToUpperRight) {
+  Scene<2> scene;
+  scene.blocks = {{"a", {{{0, 1}, {0, 2}}}, {1, 1}, ""}};
+  const Mesh<2> mesh = build_mesh(scene);
+  const auto inner = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const std::array<int, 2>& edge) {
+    return mesh.vertices[edge[1]] - mesh.vertices[edge[0]] == Vector<2>(1, 2);
+  });
+  EXPECT_NE(inner, mesh.edges.end());
+}
+
+// Blocks that are written with a common side meet to the last bit, whatever the numbers of cells.
+TEST(Blocks, EndExactlyWhereTheyAreToldTo) {
+  Scene<2> scene;
+  scene.blocks = {{"a", {{{0.1, 0.7}, {0, 1}}}, {7, 3}, ""}, {"b", {{{0.7, 1.3}, {0, 1}}}, {49, 3}, ""}};
+  const Mesh<2> mesh = build_mesh(scene);
+  const std::size_t first_of_b = 8 * 4;
+  EXPECT_EQ(mesh.vertices[7][0], 0.7);
+  EXPECT_EQ(mesh.vertices[first_of_b][0], 0.7);
+}
+
+TEST(Topology, TurnsClockwiseCellsAndSaysSo) {
+  Mesh<2> mesh;
+  mesh.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.cells = {{0, 2, 1}, {0, 2, 3}};
+  mesh.cell_body = {0, 0};
+  mesh.bodies = {"a"};
+  const Mesh<2> result = with_topology(mesh, {}, "here");
+  expect_sound(result);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_EQ(result.notes[0], "1 clockwise cell turned");
+}
+
+// A ring: boundary facets go around the hole clockwise, and Euler's formula counts the hole.
+TEST(Topology, KnowsHoles) {
+  Mesh<2> mesh;
+  constexpr int n = 12;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    mesh.vertices.push_back({std::cos(angle), std::sin(angle)});
+    mesh.vertices.push_back({2 * std::cos(angle), 2 * std::sin(angle)});
+    const int next = 2 * ((i + 1) % n);
+    mesh.cells.push_back({2 * i, 2 * i + 1, next + 1});
+    mesh.cells.push_back({2 * i, next + 1, next});
+  }
+  mesh.cell_body.assign(mesh.cells.size(), 0);
+  mesh.bodies = {"ring"};
+  const Mesh<2> result = with_topology(mesh, {}, "here");
+  expect_sound(result);
+  EXPECT_EQ(result.vertices.size() + result.cells.size(), result.edges.size());
+}
+
+TEST(Quality, OfARightTriangle) {
+  Scene<2> scene;
+  scene.blocks = {{"a", {{{0, std::sqrt(3.0)}, {0, 1}}}, {1, 1}, ""}, {"b", {{{5, 15}, {0, 1}}}, {20, 2}, ""}};
+  const Quality measured = quality(build_mesh(scene));
+  EXPECT_NEAR(measured.smallest_angle, 30, 1e-12);
+  EXPECT_NEAR(measured.largest_angle, 90, 1e-12);
+  EXPECT_NEAR(measured.largest_area, std::sqrt(3.0) / 2, 1e-15);
+  EXPECT_NEAR(measured.smallest_area, 0.125, 1e-15);
+}
+
+}  // namespace
+}  // namespace bracket::scene

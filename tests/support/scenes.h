@@ -1,0 +1,75 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "scene/scene.h"
+
+/// Scenes built in code, with parameters, for tests of several folders.
+namespace bracket::tests {
+
+using scene::ConditionKind;
+using scene::Vector;
+
+inline scene::Function<2> constant(double value) {
+  return [value](const Vector<2>&) { return value; };
+}
+
+inline scene::Condition<2> fixed(double x, double y) { return {ConditionKind::fixed, {constant(x), constant(y)}, ""}; }
+inline scene::Condition<2> sliding(double normal) { return {ConditionKind::sliding, {constant(normal)}, ""}; }
+inline scene::Condition<2> pressure(scene::Function<2> p) { return {ConditionKind::pressure, {std::move(p)}, ""}; }
+inline scene::Condition<2> traction(scene::Function<2> x, scene::Function<2> y) {
+  return {ConditionKind::traction, {std::move(x), std::move(y)}, ""};
+}
+
+inline scene::Block<2> block(const std::string& body, double x0, double x1, double y0, double y1, int nx, int ny) {
+  return {body, {{{x0, x1}, {y0, y1}}}, {nx, ny}, ""};
+}
+
+/// Two blocks, `upper` on `lower`, in contact over (x0, x1) at y = 0.
+inline scene::Scene<2> two_bodies(double x0, double x1, double t_lower, double t_upper, int nx, int ny) {
+  scene::Scene<2> s;
+  s.blocks = {block("lower", x0, x1, -t_lower, 0, nx, ny), block("upper", x0, x1, 0, t_upper, nx, ny)};
+  s.contact = {{"upper.bottom", "lower.top", constant(0), ""}};
+  return s;
+}
+
+/// Design §6.1: any ν with free sides and sliding base and top, the top lowered by `lowering`.
+inline scene::Scene<2> patch(double young, double poisson, double lowering, int n) {
+  scene::Scene<2> s = two_bodies(0, 1, 0.5, 0.5, n, n);
+  s.bodies = {{"lower", scene::isotropic<2>(young, poisson, false)}, {"upper", scene::isotropic<2>(young, poisson, false)}};
+  s.boundary = {{"lower.bottom", sliding(0)}, {"upper.top", sliding(-lowering)}};
+  return s;
+}
+
+/// Design §6.3. Both bodies float sideways.
+struct LinearPressure {
+  double p0 = 1, c = 0.5;
+  double t_lower = 1, t_upper = 0.5;
+  double young_lower = 1, young_upper = 2;
+  double poisson = 0.3;
+};
+inline scene::Scene<2> linear_pressure(const LinearPressure& p, int nx, int ny) {
+  scene::Scene<2> s = two_bodies(-1, 1, p.t_lower, p.t_upper, nx, ny);
+  s.bodies = {{"lower", scene::isotropic<2>(p.young_lower, p.poisson, false)},
+              {"upper", scene::isotropic<2>(p.young_upper, p.poisson, false)}};
+  s.boundary = {{"lower.bottom", sliding(0)},
+                {"upper.top", pressure([p](const Vector<2>& x) { return p.p0 * (1 - p.c * x[0]); })}};
+  return s;
+}
+
+/// Design §3 and §6.2: partial lift-off, or closed contact with +0.02 for +0.09.
+inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
+  scene::Scene<2> s;
+  s.blocks = {block("lower", 0, 1, 0, 1, n, n), block("upper", 0, 1, 1, 2, n, n)};
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(2, 0.3, false)}};
+  s.boundary = {{"lower.bottom", fixed(0, 0)},
+                {"upper.left", sliding(0)},
+                {"upper.top", traction(constant(0), [pull](const Vector<2>& x) { return x[0] < 0.5 ? -0.1 : pull; })}};
+  s.contact = {{"upper.bottom", "lower.top", constant(0), ""}};
+  return s;
+}
+
+inline scene::Problem<2> problem(const scene::Scene<2>& s) { return scene::fix_data(s, scene::build_mesh(s)); }
+
+}  // namespace bracket::tests
