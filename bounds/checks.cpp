@@ -13,7 +13,7 @@ namespace {
 
 /// Keeps the largest value; a NaN stays.
 void raise(double& largest, double value) {
-  if (!(value <= largest)) largest = value;
+  if (value > largest || std::isnan(value)) largest = value;
 }
 
 template <int dim> double largest_displacement(const primal::Displacement<dim>& displacement) {
@@ -26,7 +26,7 @@ template <int dim> double largest_displacement(const primal::Displacement<dim>& 
 template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
   double largest = 0;
   for (const auto& cell : stress.cell)
-    for (const auto& s : cell) raise(largest, s.cwiseAbs().maxCoeff());
+    for (const auto& s : cell) raise(largest, s.norm());
   return largest;
 }
 
@@ -100,11 +100,12 @@ template <int dim> double interface_jump(const scene::Problem<dim>& problem, con
     }
   for (const auto& facet : mesh.boundary) sum[facet.edge] = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   double worst = 0;
-  for (const auto& ends : sum) raise(worst, std::max(ends[0].norm(), ends[1].norm()));
+  for (const auto& ends : sum)
+    for (const auto& jump : ends) raise(worst, jump.norm());
   for (const auto& pair : problem.contact) {
     if (pair.second < 0) continue;
     const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
-    raise(worst, std::max((first[0] + second[1]).norm(), (first[1] + second[0]).norm()));
+    for (int i = 0; i < 2; ++i) raise(worst, (first[i] + second[1 - i]).norm());
   }
   return worst;
 }

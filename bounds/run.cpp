@@ -38,8 +38,11 @@ template <int dim> std::vector<std::string> skipped_stages(const scene::Scene<di
 }
 
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
-template <int dim> std::pair<primal::Result<dim>, dual::Result<dim>> solve_both(const scene::Problem<dim>& problem, int degree, Seconds& seconds) {
+template <int dim>
+std::pair<primal::Result<dim>, dual::Result<dim>> solve_both(const scene::Problem<dim>& problem, int degree,
+                                                             Seconds& seconds) {
   const Clock clock;
+  contact::set_blas_threads(1);
   auto stresses = std::async(std::launch::async, [&] {
     auto result = dual::solve(problem);
     return std::pair(std::move(result), clock.seconds());

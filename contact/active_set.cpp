@@ -39,17 +39,19 @@ VectorXd slack_rounding(const Interface& problem, const VectorXd& pressure, cons
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Index>& active,
                                      const VectorXd& overlap, const VectorXd& load) {
   constexpr double singular = 1e-12;  // a pivot by its diagonal entry
+  if (active.empty()) return load.size() == 0 ? std::optional(Equality{}) : std::nullopt;
   // G Gᵀ makes F definite and adds nothing but G e where Gᵀp = e.
   const MatrixXd motion = problem.motion(active, Eigen::all);
   MatrixXd definite = problem.compliance(active, active);
-  definite.selfadjointView<Eigen::Lower>().rankUpdate(motion);
+  definite += motion * motion.transpose();
   const VectorXd diagonal = definite.diagonal();
   const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(definite);
   if (factor.info() != Eigen::Success) return {};
   if ((definite.diagonal().array().square() <= singular * diagonal.array()).any()) return {};
 
   const auto lower = definite.triangularView<Eigen::Lower>();
-  const MatrixXd left = lower.solve(motion);
+  // Eigen divides by zero on a solve without right-hand sides.
+  const MatrixXd left = motion.cols() > 0 ? MatrixXd(lower.solve(motion)) : motion;
   const VectorXd right = lower.solve(VectorXd(overlap(active) + motion * load));
   MatrixXd schur = left.transpose() * left;
   const VectorXd schur_diagonal = schur.diagonal();

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 namespace bracket::contact {
 namespace {
@@ -108,9 +109,9 @@ Interface condense(const std::vector<Body>& bodies, const std::vector<Condensed>
 }
 
 Pressure minimise(const Scaled& interface, const VectorXd& start, const std::vector<char>& guess) {
-  const Index m = interface.row.size();
-  std::optional<Pressure> found = block_active_set(
-      interface.problem, guess.empty() ? std::vector<char>(static_cast<std::size_t>(m), 1) : guess);
+  if (start.size() == 0) return {};
+  const std::vector<char> all(static_cast<std::size_t>(start.size()), 1);
+  std::optional<Pressure> found = block_active_set(interface.problem, guess.empty() ? all : guess);
   return found ? *found : primal_active_set(interface.problem, start.cwiseQuotient(interface.row));
 }
 
@@ -193,7 +194,8 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
   }
   solution.seconds.contact = watch.lap();
 
-  std::vector<Condensed> condensed;
+  const auto factorised = std::make_shared<std::vector<Condensed>>();
+  std::vector<Condensed>& condensed = *factorised;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Body& body = bodies[b];
     assert(body.stiffness.isCompressed() && body.rows.rows() == gap.size());
@@ -236,6 +238,7 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
   solution.pressure = std::move(state.pressure);
   solution.active.assign(gap.size(), 0);
   for (Index i : found.active) solution.active[i] = 1;
+  solution.respond = [factorised](int b, const VectorXd& force) { return (*factorised)[b].apply(force); };
   solution.seconds.recover = watch.lap();
   return solution;
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -49,8 +50,15 @@ struct Solution {
   double imbalance = 0;
   std::vector<Eigen::VectorXd> motion;  ///< no_equilibrium: coefficients y of each body's `rigid` with G y ≤ 0, eᵀy > 0
   int body = -1;                        ///< not_definite
+  /// K⁺ f of body b, with the factor that solve() made; what f has of a resultant along a free motion is left out. For
+  /// corrections by a residual that the caller can evaluate better than from u.
+  std::function<Eigen::VectorXd(int b, const Eigen::VectorXd& force)> respond;
   Seconds seconds;
 };
+
+/// Threads that BLAS uses in the whole process. One where solve() runs in several threads at once: they would wait for
+/// each other.
+void set_blas_threads(int count);
 
 /// Solves  min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g  by the problem in the multipliers,
 ///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/factor.h"
 
+#include "contact/contact.h"
 #include "contact/order.h"
 
 #include <cholmod.h>
@@ -9,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+extern "C" void openblas_set_num_threads(int count);
 
 namespace bracket::contact {
 namespace {
@@ -80,6 +83,7 @@ Factor::~Factor() = default;
 Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes,
                const std::vector<int>& last)
     : handle_(std::make_unique<Handle>()) {
+  if (stiffness.rows() == 0) return;  // CHOLMOD takes no empty matrix
   handle_->is_last.assign(stiffness.rows(), 0);
   for (int i : last) handle_->is_last[i] = 1;
   std::vector<int> permutation = order(stiffness, nodes, last);
@@ -89,6 +93,7 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
 }
 
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
+  if (stiffness.rows() == 0) return true;
   cholmod_sparse matrix = view(stiffness);
   if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common))
     throw std::runtime_error("no factorisation: out of memory");
@@ -108,6 +113,7 @@ bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
 }
 
 Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
+  if (b.size() == 0) return b;
   cholmod_dense right{};
   right.nrow = right.d = right.nzmax = b.size();
   right.ncol = 1;
@@ -122,6 +128,7 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
 }
 
 Trailing Factor::trailing() const {
+  if (handle_->is_last.empty()) return {};
   const cholmod_factor& factor = *handle_->factor;
   const int* const unknown = static_cast<const int*>(factor.Perm);
   Trailing result;
@@ -147,5 +154,7 @@ Trailing Factor::trailing() const {
   }
   return result;
 }
+
+void set_blas_threads(int count) { openblas_set_num_threads(count); }
 
 }  // namespace bracket::contact

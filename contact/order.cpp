@@ -4,6 +4,7 @@
 #include <cholmod.h>
 
 #include <mutex>
+#include <numeric>
 #include <stdexcept>
 
 namespace bracket::contact {
@@ -44,6 +45,8 @@ NodeGraph node_graph(const Eigen::SparseMatrix<double>& stiffness, const std::ve
 std::vector<int> dissect(NodeGraph& graph) {
   const std::size_t n = graph.node.size();
   std::vector<int> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  if (graph.neighbours.empty()) return order;
   cholmod_sparse pattern{};
   pattern.nrow = pattern.ncol = n;
   pattern.nzmax = graph.neighbours.size();

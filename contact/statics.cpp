@@ -75,16 +75,15 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
 
   Statics result;
   const VectorXd motion = free * (free.transpose() * load);
-  double work = 0;  // that the loads would do if they all acted along the free motion
+  double distance = 0;  // of the point that it moves most
   first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Index n_motions = motions[b].basis.cols();
+  for (const Motions& body : motions) {
+    const Index n_motions = body.basis.cols();
     if (n_motions > 0)
-      work += bodies[b].load.lpNorm<1>() *
-              (motions[b].basis * motion.segment(first, n_motions)).lpNorm<Eigen::Infinity>();
+      distance = std::max(distance, (body.basis * motion.segment(first, n_motions)).lpNorm<Eigen::Infinity>());
     first += n_motions;
   }
-  if (work > 0) result.imbalance = load.dot(motion) / work;
+  if (distance > 0) result.imbalance = load.dot(motion) / (distance * size_of_loads);
   if (result.imbalance > rounding) {
     result.possible = false;
     result.motion = motion;

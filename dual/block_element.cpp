@@ -76,17 +76,45 @@ LoadVector edge_loads(const Triangle& t, const Corners& stress) {
   return loads;
 }
 
+/// Nine independent side loads in equilibrium, in small integers. A linear side load acts like the forces ∫ φ_i λn at the
+/// ends of its edge: so opposite forces of the two edges that meet at a vertex balance, and so do opposite forces along
+/// an edge at its ends.
+LoadMatrix balanced_loads(const Triangle& t) {
+  LoadMatrix loads = LoadMatrix::Zero();
+  int mode = 0;
+  for (int v = 0; v < 3; ++v)
+    for (int c = 0; c < 2; ++c, ++mode) {
+      loads(4 * ((v + 2) % 3) + c, mode) = 1;       // edge v+2 begins at vertex v
+      loads(4 * ((v + 1) % 3) + 2 + c, mode) = -1;  // edge v+1 ends there
+    }
+  for (int e = 0; e < 3; ++e, ++mode) {
+    const Plane along = t[(e + 2) % 3] - t[(e + 1) % 3];
+    loads.block<2, 1>(4 * e, mode) = -along;
+    loads.block<2, 1>(4 * e + 2, mode) = along;
+  }
+  return loads;
+}
+
+/// The modes are those of balanced_loads(), one each [HH81, Theorem 2.1]. Their corner values are integers, so that they
+/// are held exactly: rounded modes would act as a body force, the same in all cells of one shape.
 ReferenceBlock make_reference_block() {
   const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
   const auto values = corner_values(t);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(continuity(t, values), Eigen::ComputeFullV);
-  const Eigen::Matrix<double, 27, n_modes> modes = values * svd.matrixV().rightCols(n_modes);
+  const Eigen::Matrix<double, 27, n_modes> basis = values * svd.matrixV().rightCols(n_modes);
+  const auto corners = [](const auto& column) {
+    Corners stress;
+    for (int c = 0; c < 9; ++c) stress[c] = column.template segment<3>(3 * c);
+    return stress;
+  };
+  LoadMatrix basis_loads;
+  for (int m = 0; m < n_modes; ++m) basis_loads.col(m) = edge_loads(t, corners(basis.col(m)));
 
   ReferenceBlock reference;
-  for (int m = 0; m < n_modes; ++m) {
-    for (int c = 0; c < 9; ++c) reference.modes[m][c] = modes.block<3, 1>(3 * c, m);
-    reference.loads.col(m) = edge_loads(t, reference.modes[m]);
-  }
+  reference.loads = balanced_loads(t);
+  const Eigen::Matrix<double, 27, n_modes> modes =
+      (basis * basis_loads.colPivHouseholderQr().solve(reference.loads)).array().round();
+  for (int m = 0; m < n_modes; ++m) reference.modes[m] = corners(modes.col(m));
   const auto component = [&](int mode, int k, int a) {
     const Corners& m = reference.modes[mode];
     return std::array<double, 3>{m[3 * k][a], m[3 * k + 1][a], m[3 * k + 2][a]};

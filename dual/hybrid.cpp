@@ -119,9 +119,11 @@ template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& lay
   return cell;
 }
 
-/// The loads of Γ_τ on the edge displacements: ∫ P·μ.
-template <int dim> void add_tractions(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
+/// The loads of Γ_τ on the edge displacements of each body: ∫ P·μ.
+template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim>& problem, const Layout& layout) {
   const auto& mesh = problem.mesh;
+  std::vector<Eigen::VectorXd> loads;
+  for (const auto& nodes : layout.body_nodes) loads.push_back(Eigen::VectorXd::Zero(nodes.back()));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support != Support::traction) continue;
@@ -131,9 +133,10 @@ template <int dim> void add_tractions(const Problem<dim>& problem, const Layout&
     for (int i = 0; i < 2; ++i) {
       const Vector<dim> moment = sixth * (2 * data.traction[i] + data.traction[1 - i]);
       const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
-      for (int k = 0; k < 2; ++k) bodies[mesh.cell_body[facet.cell]].load[edge.unknown[place + k]] += moment[k];
+      for (int k = 0; k < 2; ++k) loads[mesh.cell_body[facet.cell]][edge.unknown[place + k]] += moment[k];
     }
   }
+  return loads;
 }
 
 /// Rows 2 j, 2 j + 1 of contact facet j: ∫ φ_i r over it, for the hat functions of the first facet's vertices 0 and 1.
@@ -216,20 +219,63 @@ template <int dim> contact::Body assemble(const Problem<dim>& problem, const Lay
   return body;
 }
 
-/// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄), then λ = λ̄ + Σ s_k τ_k.
+/// The amplitudes s of the modes in each cell.
+using Amplitudes = std::vector<ModeVector>;
+
+/// The cell's share of edge displacements that are unknown; prescribed ones are `otherwise`.
+LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns, const LoadVector& otherwise) {
+  LoadVector edges = otherwise;
+  for (int i = 0; i < n_loads; ++i)
+    if (cell.unknowns[i] >= 0) edges[i] = unknowns[cell.unknowns[i]];
+  return edges;
+}
+
+/// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄)
+ModeVector amplitudes(const Cell& cell, const LoadVector& edges) {
+  ModeVector right = cell.block.loads.transpose() * edges;
+  if (cell.weight) right -= cell.weight->coupling;
+  return cell.block.compliance.llt().solve(right);
+}
+
+/// Takes out what the tractions of the modes lack of continuity and of the given loads: the edge displacements are large
+/// against their differences within a cell, and their rounding is a jump of tractions. Evaluated from the amplitudes the
+/// jump is seen to the rounding of the stresses themselves, and one more solve removes it.
 template <int dim>
-Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& displacement) {
-  Stress<dim> stress;
-  stress.cell.resize(problem.mesh.cells.size());
-  for (std::size_t c = 0; c < stress.cell.size(); ++c) {
+void balance_tractions(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
+                       const contact::Solution& solution, Amplitudes& amplitude) {
+  std::vector<Eigen::VectorXd> residual = loads;
+  for (std::size_t c = 0; c < amplitude.size(); ++c) {
     const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    const Eigen::VectorXd& u = displacement[problem.mesh.cell_body[c]];
-    LoadVector edges = cell.prescribed;
+    Eigen::VectorXd& r = residual[problem.mesh.cell_body[c]];
+    LoadVector tractions = cell.block.loads * amplitude[c];
+    if (cell.weight) tractions += cell.weight->loads;
     for (int i = 0; i < n_loads; ++i)
-      if (cell.unknowns[i] >= 0) edges[i] = u[cell.unknowns[i]];
-    ModeVector right = cell.block.loads.transpose() * edges;
-    if (cell.weight) right -= cell.weight->coupling;
-    stress.cell[c] = stress_at_corners(cell.block, cell.block.compliance.llt().solve(right));
+      if (cell.unknowns[i] >= 0) r[cell.unknowns[i]] -= tractions[i];
+  }
+  std::vector<Eigen::VectorXd> correction;
+  for (std::size_t b = 0; b < residual.size(); ++b) correction.push_back(solution.respond(static_cast<int>(b), residual[b]));
+  for (std::size_t c = 0; c < amplitude.size(); ++c) {
+    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
+    const LoadVector edges = edge_displacements(cell, correction[problem.mesh.cell_body[c]], LoadVector::Zero());
+    amplitude[c] += cell.block.compliance.llt().solve(cell.block.loads.transpose() * edges);
+  }
+}
+
+/// λ = λ̄ + Σ s_k τ_k at the corners. \param loads tractions and pressures on the edge displacements of each body
+template <int dim>
+Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
+                    const contact::Solution& solution) {
+  Amplitudes amplitude(problem.mesh.cells.size());
+  for (std::size_t c = 0; c < amplitude.size(); ++c) {
+    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
+    amplitude[c] = amplitudes(cell, edge_displacements(cell, solution.elastic[problem.mesh.cell_body[c]], cell.prescribed));
+  }
+  for (int step = 0; step < 2; ++step) balance_tractions(problem, layout, loads, solution, amplitude);
+  Stress<dim> stress;
+  stress.cell.resize(amplitude.size());
+  for (std::size_t c = 0; c < amplitude.size(); ++c) {
+    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
+    stress.cell[c] = stress_at_corners(cell.block, amplitude[c]);
     for (int i = 0; cell.weight && i < 9; ++i) stress.cell[c][i] += cell.weight->stress[i];
   }
   return stress;
@@ -258,7 +304,8 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem) {
   const Layout layout = lay_out(problem);
   std::vector<contact::Body> bodies;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
-  add_tractions(problem, layout, bodies);
+  std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
+  for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].load += loads[b];
   set_contact_rows(problem, layout, bodies);
 
   Result<dim> result;
@@ -273,7 +320,8 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem) {
   result.imbalance = solution.imbalance;
   if (solution.outcome == contact::Outcome::solved) {
     const auto recovering = std::chrono::steady_clock::now();
-    result.stress = recover(problem, layout, solution.displacement);
+    for (std::size_t b = 0; b < bodies.size(); ++b) loads[b] -= bodies[b].rows.transpose() * solution.pressure;
+    result.stress = recover(problem, layout, loads, solution);
     solution.seconds.recover += seconds_since(recovering);
   }
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));

@@ -1,9 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/text.h"
-#include "scene/topology.h"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <fmt/format.h>
+
+#include "scene/text.h"
+#include "scene/topology.h"
 
 namespace bracket::scene {
 
@@ -38,8 +39,8 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks) {
       fail(Status::input, block.where, fmt::format("the blocks have more than {:.0f} cells together", most_cells));
     }
     if (std::find(mesh.bodies.begin(), mesh.bodies.end(), block.body) != mesh.bodies.end()) {
-      fail(Status::input, block.where, fmt::format("there is another block of the body '{}'; a body is one block",
-                                                   block.body));
+      fail(Status::input, block.where,
+           fmt::format("there is another block of the body '{}'; a body is one block", block.body));
     }
     const int first = static_cast<int>(mesh.vertices.size());
     const int body = static_cast<int>(mesh.bodies.size());

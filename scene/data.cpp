@@ -1,11 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "scene/matching.h"
 #include "scene/projection.h"
 #include "scene/support.h"
 #include "scene/text.h"
-
-#include <algorithm>
-#include <fmt/format.h>
 
 namespace bracket::scene {
 
@@ -61,13 +62,15 @@ std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
     const auto claim = [&](const std::string& name) {
       const int part = part_named(mesh, name, pair.where);
       if (conditions[part] != nullptr) {
-        fail(Status::input, pair.where, fmt::format("the part '{}' is in contact and has a condition of its own ({})",
-                                                    name, conditions[part]->where));
+        fail(Status::input, pair.where,
+             fmt::format("the part '{}' is in contact and has a condition of its own ({})", name,
+                         conditions[part]->where));
       }
       if (pair_of_part[part] != -1) {
-        fail(Status::input, pair.where, pair_of_part[part] == static_cast<int>(i)
-                                            ? fmt::format("first and second are the same part '{}'", name)
-                                            : fmt::format("the part '{}' is in another contact pair already", name));
+        fail(Status::input, pair.where,
+             pair_of_part[part] == static_cast<int>(i)
+                 ? fmt::format("first and second are the same part '{}'", name)
+                 : fmt::format("the part '{}' is in another contact pair already", name));
       }
       pair_of_part[part] = static_cast<int>(i);
       return part;

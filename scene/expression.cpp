@@ -1,12 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/expression.h"
 
-#include "scene/text.h"
-
 #include <fmt/format.h>
-#include <memory>
 #include <muParser.h>
+
+#include <memory>
 #include <numbers>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 

@@ -1,12 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/fields.h"
 
-#include "scene/expression.h"
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
+
+#include "scene/expression.h"
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -40,8 +41,8 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
   for (const auto& [key, node] : table) {
     const std::string found{key.str()};
     if (std::find(known.begin(), known.end(), found) != known.end()) continue;
-    fail(Status::input, where(key.source()), fmt::format("unknown key '{}'{}: {}", found,
-                                                         name.empty() ? "" : " in " + name, suggestion(found, known)));
+    fail(Status::input, where(key.source()),
+         fmt::format("unknown key '{}'{}: {}", found, name.empty() ? "" : " in " + name, suggestion(found, known)));
   }
 }
 
@@ -60,8 +61,10 @@ double number(const toml::node& node, const std::string& name) {
 
 int integer(const toml::node& node, const std::string& name, int smallest) {
   const auto value = node.value_exact<std::int64_t>();
-  if (!value) refuse(node, fmt::format("{} must be an integer, not {}", name,
-                                       node.is_floating_point() ? "a fraction" : type_of(node)));
+  if (!value) {
+    refuse(node,
+           fmt::format("{} must be an integer, not {}", name, node.is_floating_point() ? "a fraction" : type_of(node)));
+  }
   if (*value < smallest || *value > std::numeric_limits<int>::max()) {
     refuse(node, fmt::format("{} must be an integer from {} to {}, is {}", name, smallest,
                              std::numeric_limits<int>::max(), *value));

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/scene.h"
-
 #include <toml++/toml.h>
+
+#include "scene/scene.h"
 
 /// Typed access to the nodes of a scene file. `name` is how messages call a node, such as "bodies.upper.E". Whatever
 /// is not as expected is thrown as Error (input) with the node's place.
@@ -19,10 +19,10 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
 /// The node at `key`, which must be there.
 const toml::node& required(const toml::table& table, const std::string& name, const std::string& key);
 
-double number(const toml::node& node, const std::string& name);             ///< finite
+double number(const toml::node& node, const std::string& name);              ///< finite
 int integer(const toml::node& node, const std::string& name, int smallest);  ///< at least `smallest`
 std::string text(const toml::node& node, const std::string& name);
-std::string label(const toml::node& node, const std::string& name);          ///< a text that is not empty
+std::string label(const toml::node& node, const std::string& name);  ///< a text that is not empty
 const toml::table& table(const toml::node& node, const std::string& name);
 const toml::array& list(const toml::node& node, const std::string& name, std::size_t size);  ///< of `size` entries
 const toml::array& tables(const toml::node& node, const std::string& name);  ///< [[name]], at least one; all tables

@@ -1,11 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
 #include "scene/gmsh_file.h"
 #include "scene/text.h"
 #include "scene/topology.h"
-
-#include <algorithm>
-#include <fmt/format.h>
-#include <limits>
 
 namespace bracket::scene {
 
@@ -90,28 +91,39 @@ void check_plane(const GmshFile& file, const std::vector<int>& vertex_of_node, c
   }
 }
 
+void check_triangles(const GmshFile& file, const std::string& where) {
+  if (file.triangles.empty()) fail(Status::mesh, where, "the mesh has no triangles");
+  if (file.triangles.size() + file.nodes.size() > std::numeric_limits<int>::max() / 8) {
+    fail(Status::mesh, where, "the mesh is too large");
+  }
+  const auto stray = std::find_if(file.triangles.begin(), file.triangles.end(),
+                                  [](const auto& triangle) { return triangle.physical == 0; });
+  if (stray == file.triangles.end()) return;
+  fail(Status::mesh, where,
+       fmt::format("the triangle {} is in no physical surface; physical surfaces name the bodies", stray->tag));
+}
+
+std::vector<GmshFile::Element<2>> lines_in_groups(const GmshFile& file) {
+  std::vector<GmshFile::Element<2>> lines;
+  std::copy_if(file.lines.begin(), file.lines.end(), std::back_inserter(lines),
+               [](const auto& line) { return line.physical != 0; });
+  return lines;
+}
+
 }  // namespace
 
 template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& path) {
   static_assert(dim == 2);
   const std::string where = path.string();
   const GmshFile file = read_gmsh_file(path);
-  if (file.triangles.empty()) fail(Status::mesh, where, "the mesh has no triangles");
-  if (file.triangles.size() + file.nodes.size() > std::numeric_limits<int>::max() / 8) {
-    fail(Status::mesh, where, "the mesh is too large");
-  }
+  check_triangles(file, where);
   const std::vector<Tag> surfaces = groups_of(file.triangles);
-  if (surfaces.front() == 0) {
-    const auto stray = std::find_if(file.triangles.begin(), file.triangles.end(),
-                                    [](const auto& triangle) { return triangle.physical == 0; });
-    fail(Status::mesh, where,
-         fmt::format("the triangle {} is in no physical surface; physical surfaces name the bodies", stray->tag));
-  }
-
   Mesh<dim> mesh;
   mesh.bodies = names_of(file, 2, surfaces, where);
   const NodeIndex index(file, where);
   std::vector<int> vertex(file.nodes.size(), -1);
+  mesh.cells.reserve(file.triangles.size());
+  mesh.cell_body.reserve(file.triangles.size());
   for (const auto& triangle : file.triangles) {
     std::array<int, 3> cell;
     for (int k = 0; k < 3; ++k) {
@@ -131,20 +143,19 @@ template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& path) {
     for (int& corner : cell) corner = vertex[corner];
   }
 
-  std::vector<GmshFile::Element<2>> lines;
-  std::copy_if(file.lines.begin(), file.lines.end(), std::back_inserter(lines),
-               [](const auto& line) { return line.physical != 0; });
+  const std::vector<GmshFile::Element<2>> lines = lines_in_groups(file);
   const std::vector<Tag> curves = groups_of(lines);
   mesh.parts = names_of(file, 1, curves, where);
   std::vector<PartEdge> part_edges;
   for (const auto& line : lines) {
+    const int part = place(curves, line.physical);
     const std::array<int, 2> ends = {vertex[index(line.nodes[0], "the line", line.tag)],
                                      vertex[index(line.nodes[1], "the line", line.tag)]};
     if (ends[0] < 0 || ends[1] < 0) {
-      fail(Status::mesh, where, fmt::format("the line {} of '{}' has a node that no triangle has", line.tag,
-                                            mesh.parts[place(curves, line.physical)]));
+      fail(Status::mesh, where,
+           fmt::format("the line {} of '{}' has a node that no triangle has", line.tag, mesh.parts[part]));
     }
-    part_edges.push_back({ends, place(curves, line.physical)});
+    part_edges.push_back({ends, part});
   }
   return with_topology(std::move(mesh), part_edges, where);
 }

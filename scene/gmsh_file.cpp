@@ -1,13 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/gmsh_file.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -27,11 +28,10 @@ class Scanner {
 
   /// The next word; empty at the end of the file.
   std::string_view word() {
-    position_ = std::min(text_.find_first_not_of(blanks, position_), text_.size());
-    const std::size_t end = std::min(text_.find_first_of(blanks, position_), text_.size());
-    const std::string_view found(text_.data() + position_, end - position_);
-    position_ = end;
-    return found;
+    while (position_ < text_.size() && blank(text_[position_])) ++position_;
+    const std::size_t start = position_;
+    while (position_ < text_.size() && !blank(text_[position_])) ++position_;
+    return std::string_view(text_).substr(start, position_ - start);
   }
 
   /// What stands between the next pair of quotes.
@@ -50,8 +50,8 @@ class Scanner {
     Number value = 0;
     const auto [end, error] = std::from_chars(found.data(), found.data() + found.size(), value);
     if (error != std::errc() || end != found.data() + found.size()) {
-      refuse(fmt::format("'{}' is not {}", found.substr(0, 40),
-                         std::is_integral_v<Number> ? "an integer" : "a number"));
+      refuse(
+          fmt::format("'{}' is not {}", found.substr(0, 40), std::is_integral_v<Number> ? "an integer" : "a number"));
     }
     return value;
   }
@@ -91,7 +91,8 @@ class Scanner {
   }
 
  private:
-  static constexpr const char* blanks = " \t\r\n";
+  static bool blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
   static constexpr Tag largest = Tag{1} << 62;  // its negative and small sums are numbers, too
   std::string text_;
   std::string file_;
@@ -104,8 +105,8 @@ bool read_format(Scanner& in) {
   const Tag binary = in.integer();
   if (binary != 0) in.refuse("the file is binary; save it as ASCII (Mesh.Binary = 0)");
   if (version != 2.2 && version != 4.1) {
-    in.refuse(fmt::format("version {} is not read; save the mesh as version 2.2 or 4.1 (Mesh.MshFileVersion)",
-                          version));
+    in.refuse(
+        fmt::format("version {} is not read; save the mesh as version 2.2 or 4.1 (Mesh.MshFileVersion)", version));
   }
   in.integer();  // size of a number, of no use in ASCII
   return version == 4.1;
@@ -247,9 +248,13 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
       read_names(in, file);
     } else if (section == "Entities" || section == "Nodes" || section == "Elements") {
       if (!format_known) in.refuse("$MeshFormat must come first");
-      if (section == "Entities") groups = read_entities(in);
-      else if (section == "Nodes") version_4 ? read_nodes_4(in, file) : read_nodes_2(in, file);
-      else version_4 ? read_elements_4(in, groups, file) : read_elements_2(in, file);
+      if (section == "Entities") {
+        groups = read_entities(in);
+      } else if (section == "Nodes") {
+        version_4 ? read_nodes_4(in, file) : read_nodes_2(in, file);
+      } else {
+        version_4 ? read_elements_4(in, groups, file) : read_elements_2(in, file);
+      }
     } else {
       in.skip_section(section);
       continue;

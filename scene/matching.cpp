@@ -1,13 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/matching.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <numeric>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -25,9 +26,7 @@ const Vector<2>& end_of(const Mesh<2>& mesh, int facet, int end) {
   return mesh.vertices[mesh.boundary[facet].vertices[end]];
 }
 
-Vector<2> midpoint(const Mesh<2>& mesh, int facet) {
-  return 0.5 * (end_of(mesh, facet, 0) + end_of(mesh, facet, 1));
-}
+Vector<2> midpoint(const Mesh<2>& mesh, int facet) { return 0.5 * (end_of(mesh, facet, 0) + end_of(mesh, facet, 1)); }
 
 double tolerance(const Mesh<2>& mesh, int facet) {
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * midpoint(mesh, facet).cwiseAbs().maxCoeff();
@@ -96,9 +95,8 @@ std::vector<std::array<int, 2>> match_sides(const Mesh<2>& mesh, int first_part,
     const std::size_t found = pairs.size();
     for (const Box& near : boxes_near(mesh, facet)) {
       const auto [from, to] = std::equal_range(second.begin(), second.end(), Entry{near, -1}, before);
-      const auto match = std::find_if(from, to, [&](const Entry& entry) {
-        return !entry.taken && coincide(mesh, facet, entry.facet);
-      });
+      const auto match = std::find_if(
+          from, to, [&](const Entry& entry) { return !entry.taken && coincide(mesh, facet, entry.facet); });
       if (match == to) continue;
       match->taken = true;
       pairs.push_back({facet, match->facet});
@@ -144,8 +142,9 @@ Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact
   mesh.notes.push_back(fmt::format("vertices on contact sides moved by up to {:.2g} to coincide", moved));
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     if (volume(mesh, static_cast<int>(cell)) > 0) continue;
-    fail(Status::mesh, "", fmt::format("making contact sides coincide turns the cell at {} over: it is too thin",
-                                       point(mesh.vertices[mesh.cells[cell][0]])));
+    fail(Status::mesh, "",
+         fmt::format("making contact sides coincide turns the cell at {} over: it is too thin",
+                     point(mesh.vertices[mesh.cells[cell][0]])));
   }
   return mesh;
 }

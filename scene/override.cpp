@@ -1,10 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/override.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <charconv>
-#include <fmt/format.h>
+#include <utility>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -20,11 +22,13 @@ Assignment split(const std::string& assignment, const std::string& where) {
   std::string part;
   char quote = 0;
   bool quoted = false;
+  std::size_t blanks = 0;  // they count between other characters only
   for (std::size_t i = 0; i < assignment.size(); ++i) {
     const char c = assignment[i];
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-      else part += c;
+    if (quote != 0 && c != quote) {
+      part += c;
+    } else if (quote != 0) {
+      quote = 0;
     } else if (c == '"' || c == '\'') {
       quote = c;
       quoted = true;
@@ -33,12 +37,15 @@ Assignment split(const std::string& assignment, const std::string& where) {
       result.path.push_back(part);
       part.clear();
       quoted = false;
+      blanks = 0;
       if (c == '=') {
         result.value = assignment.substr(i + 1);
         return result;
       }
-    } else if (c != ' ') {
-      part += c;
+    } else if (c == ' ') {
+      blanks += part.empty() ? 0 : 1;
+    } else {
+      part.append(std::exchange(blanks, 0), ' ') += c;
     }
   }
   fail(Status::input, where, "there is no '='; write key=value");
@@ -103,8 +110,9 @@ std::size_t index_in(const toml::array& array, const std::string& list, const st
   std::size_t index = array.size();
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (error != std::errc() || end != part.data() + part.size() || index >= array.size()) {
-    fail(Status::input, where, fmt::format("'{}' is a list with {} entries, numbered from 0; '{}' is none of them",
-                                           list, array.size(), part));
+    fail(
+        Status::input, where,
+        fmt::format("'{}' is a list with {} entries, numbered from 0; '{}' is none of them", list, array.size(), part));
   }
   return index;
 }

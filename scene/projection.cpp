@@ -1,12 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/projection.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -36,16 +37,15 @@ constexpr std::array<Sample, samples> quadrature = [] {
 
 double finite_value(const Function<2>& given, const Vector<2>& x, const std::string& where) {
   const double value = given(x);
-  if (!std::isfinite(value)) fail(Status::input, where, fmt::format("the value at {} is {}", point(x), value));
+  if (!std::isfinite(value)) fail(Status::input, where, fmt::format("the value at {} is not finite", point(x)));
   return value;
 }
 
 std::array<double, samples> sample(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                    const std::string& where) {
   std::array<double, samples> values;
-  std::transform(quadrature.begin(), quadrature.end(), values.begin(), [&](const Sample& at) {
-    return finite_value(given, (1 - at.s) * a + at.s * b, where);
-  });
+  std::transform(quadrature.begin(), quadrature.end(), values.begin(),
+                 [&](const Sample& at) { return finite_value(given, (1 - at.s) * a + at.s * b, where); });
   return values;
 }
 
@@ -55,7 +55,7 @@ double largest_of(const std::array<double, samples>& values) {
   return largest;
 }
 
-double linear(const std::array<double, 2>& ends, double s) { return (1 - s) * ends[0] + s * ends[1]; }
+double linear(const std::array<double, 2>& ends, double s) { return ends[0] + s * (ends[1] - ends[0]); }
 
 double distance(const std::array<double, samples>& values, const std::array<double, 2>& ends) {
   double largest = 0;

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/scene.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "scene/scene.h"
 
 namespace bracket::scene {
 

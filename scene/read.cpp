@@ -1,11 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
 #include "scene/fields.h"
 #include "scene/override.h"
 #include "scene/text.h"
-
-#include <algorithm>
-#include <fmt/format.h>
-#include <limits>
 
 namespace bracket::scene {
 
@@ -177,8 +178,8 @@ std::string read_choice(const toml::node& node, const std::string& name, const s
     refuse(node, fmt::format("unknown {} \"{}\": {}", name, value, suggestion(value, names)));
   }
   if (value != names[0]) {
-    refuse(node, fmt::format("{0} = \"{1}\": this version has not got it yet; write {0} = \"{2}\"", name, value,
-                             names[0]));
+    refuse(node,
+           fmt::format("{0} = \"{1}\": this version has not got it yet; write {0} = \"{2}\"", name, value, names[0]));
   }
   return value;
 }
@@ -223,8 +224,7 @@ Solve read_solve(const toml::table& entry) {
 
 }  // namespace
 
-template <int dim>
-Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   static_assert(dim == 2);
   const toml::table root = parse(file, overrides);
   check_keys(root, "",

@@ -1,10 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/support.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <cmath>
-#include <fmt/format.h>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 

@@ -1,10 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/text.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace bracket::scene {
 
@@ -57,9 +59,10 @@ std::string read_text(const std::filesystem::path& file) {
   if (type == std::filesystem::file_type::not_found) fail(Status::input, file.string(), "no such file");
   if (type == std::filesystem::file_type::directory) fail(Status::input, file.string(), "is a directory, not a file");
   std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) fail(Status::input, file.string(), "cannot be read");
-  return text;
+  std::ostringstream text;
+  if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad() || text.fail()) fail(Status::input, file.string(), "cannot be read");
+  return std::move(text).str();
 }
 
 }  // namespace bracket::scene

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/scene.h"
-
 #include <span>
+
+#include "scene/scene.h"
 
 /// What messages are made of, and files as text.
 namespace bracket::scene {

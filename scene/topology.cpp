@@ -1,11 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/topology.h"
 
-#include "scene/text.h"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <cmath>
 #include <numeric>
+
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -41,9 +43,9 @@ Mesh<2> turned(Mesh<2> mesh, const std::string& where) {
                                      (mesh.vertices[c] - mesh.vertices[b]).squaredNorm(),
                                      (mesh.vertices[a] - mesh.vertices[c]).squaredNorm()});
     if (!(std::abs(area) > 1e-14 * longest) || !std::isfinite(longest)) {  // also where a square over- or underflows
-      fail(Status::mesh, where, fmt::format("the cell with the corners {}, {}, {} is degenerate: its area is {:.3g}",
-                                            point(mesh.vertices[a]), point(mesh.vertices[b]), point(mesh.vertices[c]),
-                                            area));
+      fail(Status::mesh, where,
+           fmt::format("the cell with the corners {}, {}, {} is degenerate: its area is {:.3g}",
+                       point(mesh.vertices[a]), point(mesh.vertices[b]), point(mesh.vertices[c]), area));
     }
     if (area > 0) continue;
     std::swap(b, c);
@@ -71,14 +73,16 @@ void check_bodies_apart(const Mesh<2>& mesh, const std::string& where) {
 void check_neighbours(const Mesh<2>& mesh, const Side* sides, std::ptrdiff_t count, const std::string& where) {
   const std::array<int, 2> edge = ends(mesh, sides[0].slot);
   if (count == 2 && edge != ends(mesh, sides[1].slot)) return;
-  for (std::ptrdiff_t i = 1; i < count; ++i) {
-    if (sides[0].slot / 3 == sides[i].slot / 3) continue;
-    const bool same = std::is_permutation(mesh.cells[sides[0].slot / 3].begin(), mesh.cells[sides[0].slot / 3].end(),
-                                          mesh.cells[sides[i].slot / 3].begin());
-    if (same) fail(Status::mesh, where, "there are duplicate cells at " + point(centre(mesh, sides[0].slot / 3)));
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    for (std::ptrdiff_t j = 0; j < i; ++j) {
+      const auto& one = mesh.cells[sides[i].slot / 3];
+      const auto& other = mesh.cells[sides[j].slot / 3];
+      if (!std::is_permutation(one.begin(), one.end(), other.begin())) continue;
+      fail(Status::mesh, where, "there are duplicate cells at " + point(centre(mesh, sides[i].slot / 3)));
+    }
   }
-  fail(Status::mesh, where, fmt::format("{} at the edge {}", count > 2 ? "more than two cells meet" : "cells overlap",
-                                        edge_at(mesh, edge)));
+  fail(Status::mesh, where,
+       fmt::format("{} at the edge {}", count > 2 ? "more than two cells meet" : "cells overlap", edge_at(mesh, edge)));
 }
 
 /// Fills edges, cell_edges and boundary. Sides are put into one bucket per lower vertex, which a few others share: the
@@ -99,9 +103,8 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   for (std::size_t lower = 0; lower < mesh.vertices.size(); ++lower) {
     const auto bucket = sides.begin() + start[lower];
     const auto bucket_end = sides.begin() + start[lower + 1];
-    std::sort(bucket, bucket_end, [](const Side& a, const Side& b) {
-      return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot;
-    });
+    std::sort(bucket, bucket_end,
+              [](const Side& a, const Side& b) { return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot; });
     for (auto side = bucket; side != bucket_end;) {
       const int edge = static_cast<int>(mesh.edges.size());
       mesh.edges.push_back({static_cast<int>(lower), side->upper});
@@ -146,8 +149,9 @@ void check_connected(const Mesh<2>& mesh, const std::string& where) {
   for (const auto& facet : mesh.boundary) {
     for (const int vertex : facet.vertices) {
       if (++facets[vertex] <= 2) continue;
-      fail(Status::mesh, where, fmt::format("the body '{}' hangs by a point only at {}",
-                                            mesh.bodies[mesh.cell_body[facet.cell]], point(mesh.vertices[vertex])));
+      fail(Status::mesh, where,
+           fmt::format("the body '{}' hangs by a point only at {}", mesh.bodies[mesh.cell_body[facet.cell]],
+                       point(mesh.vertices[vertex])));
     }
   }
 }
@@ -163,14 +167,15 @@ Mesh<2> with_parts(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const 
     const bool found = edge != mesh.edges.end() && *edge == key;
     const int facet = found ? facet_of_edge[edge - mesh.edges.begin()] : -1;
     if (facet == -1) {
-      fail(Status::mesh, where, fmt::format("the line {} of '{}' is not on the boundary of a body, but {}",
-                                            edge_at(mesh, given.vertices), mesh.parts[given.part],
-                                            found ? "inside of it" : "no edge of the mesh"));
+      fail(Status::mesh, where,
+           fmt::format("the line {} of '{}' is not on the boundary of a body, but {}", edge_at(mesh, given.vertices),
+                       mesh.parts[given.part], found ? "inside of it" : "no edge of the mesh"));
     }
     int& part = mesh.boundary[facet].part;
     if (part != -1 && part != given.part) {
-      fail(Status::mesh, where, fmt::format("the line {} belongs to both '{}' and '{}'", edge_at(mesh, given.vertices),
-                                            mesh.parts[part], mesh.parts[given.part]));
+      fail(Status::mesh, where,
+           fmt::format("the line {} belongs to both '{}' and '{}'", edge_at(mesh, given.vertices), mesh.parts[part],
+                       mesh.parts[given.part]));
     }
     part = given.part;
   }

@@ -101,7 +101,7 @@ Circle(82) = {82, 30, 83};
 Circle(83) = {83, 30, 84};
 Circle(84) = {84, 30, 81};
 
-Transfinite Curve {4, 21} = 32 + 1;
+Transfinite Curve {4, 21} = 40 + 1 Using Progression 1.04;
 Transfinite Curve {8, 31} = 7 + 1;
 Transfinite Curve {24, 61, 63} = 12 + 1;
 Transfinite Curve {62, 64} = 3 + 1;

@@ -161,8 +161,8 @@ TEST_F(Vtk, ContactIsPressedOrOpen) {
   double force = 0;
   for (int i = 0; i < plot.points; ++i) {
     EXPECT_EQ(plot.fields["Points"].values[3 * i + 1], 1);
-    EXPECT_GE(pressure[i], 0);
-    EXPECT_GE(gap[i], -1e-12);
+    EXPECT_GE(pressure[i], -1e-9);  // the limit of the program's checks, by the load of 0.1
+    EXPECT_GE(gap[i], -1e-9);
     force += pressure[i] / 8;
   }
   EXPECT_NEAR(force, 0.005, 1e-8);  // what the top presses: (0.1 - 0.09) / 2

@@ -46,7 +46,7 @@ TEST(Factor, TrailingBlockIsTheFactorOfTheSchurComplement) {
   for (int n_edges : {20, 40, 400}) {
     const int n_nodes = 40;
     const Sparse matrix = random_matrix(n_nodes, n_edges, random);
-    const MatrixXd dense = matrix.selfadjointView<Eigen::Lower>();
+    const MatrixXd dense = symmetric(matrix);
     std::vector<int> last;
     for (int i = 0; i < 2 * n_nodes; ++i)
       if (random() % 6 == 0) last.push_back(i);

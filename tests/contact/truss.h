@@ -18,6 +18,13 @@ struct Truss {
   MatrixXd stiffness;  ///< 2n × 2n, unknowns (x, y) joint by joint
 };
 
+inline void add_bar(MatrixXd& stiffness, Index i, Index j, const Eigen::Matrix2d& bar) {
+  stiffness.block<2, 2>(2 * i, 2 * i) += bar;
+  stiffness.block<2, 2>(2 * j, 2 * j) += bar;
+  stiffness.block<2, 2>(2 * i, 2 * j) -= bar;
+  stiffness.block<2, 2>(2 * j, 2 * i) -= bar;
+}
+
 inline Truss random_truss(int n_joints, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   Truss truss{MatrixXd(n_joints, 2), MatrixXd::Zero(2 * n_joints, 2 * n_joints)};
@@ -25,10 +32,7 @@ inline Truss random_truss(int n_joints, std::mt19937& random) {
   for (Index i = 0; i < n_joints; ++i)
     for (Index j = 0; j < i; ++j) {
       const Eigen::Vector2d along = (truss.joints.row(i) - truss.joints.row(j)).transpose().normalized();
-      VectorXd elongation = VectorXd::Zero(2 * n_joints);
-      elongation.segment<2>(2 * i) = along;
-      elongation.segment<2>(2 * j) = -along;
-      truss.stiffness += (0.5 + unit(random)) * elongation * elongation.transpose();
+      add_bar(truss.stiffness, i, j, (0.5 + unit(random)) * along * along.transpose());
     }
   return truss;
 }
@@ -49,6 +53,10 @@ inline Eigen::SparseMatrix<double> lower(const MatrixXd& matrix) {
   Eigen::SparseMatrix<double> result = triangle.sparseView();
   result.makeCompressed();
   return result;
+}
+
+inline MatrixXd symmetric(const Eigen::SparseMatrix<double>& lower_triangle) {
+  return MatrixXd(lower_triangle).selfadjointView<Eigen::Lower>();
 }
 
 inline std::vector<int> pairs(Index n_unknowns) {
@@ -99,8 +107,7 @@ inline Kkt kkt(const std::vector<Body>& bodies, const VectorXd& gap, const Solut
     const Body& body = bodies[b];
     const VectorXd acting = body.load - body.rows.transpose() * solution.pressure;
     const VectorXd residual = body.stiffness.selfadjointView<Eigen::Lower>() * solution.elastic[b] - acting;
-    const VectorXd terms = MatrixXd(body.stiffness.selfadjointView<Eigen::Lower>()).cwiseAbs() *
-                           solution.elastic[b].cwiseAbs();
+    const VectorXd terms = symmetric(body.stiffness).cwiseAbs() * solution.elastic[b].cwiseAbs();
     if (forces > 0) {
       result.equilibrium = std::max(result.equilibrium, largest(residual) / std::max(forces, largest(terms)));
       const VectorXd moved = body.rigid.transpose() * acting;

@@ -68,6 +68,24 @@ double largest(const Corners& stress) {
   return value;
 }
 
+TEST(BlockElement, reference_modes_are_exact) {
+  // Integers: the tractions at the ends of the outer edges give the loads, and those of inner edges agree, to the last bit.
+  const ReferenceBlock& reference = reference_block();
+  const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)}, tripled = {Plane(0, 0), Plane(3, 0), Plane(0, 3)};
+  for (int m = 0; m < n_modes; ++m) {
+    const Corners& s = reference.modes[m];
+    for (int e = 0; e < 3; ++e) {
+      const Plane n = outward(t, e), a = traction(s[3 * e], n), b = traction(s[3 * e + 1], n);
+      EXPECT_EQ(Plane(2 * a + b), Plane(6 * reference.loads.block<2, 1>(4 * e, m)));
+      EXPECT_EQ(Plane(a + 2 * b), Plane(6 * reference.loads.block<2, 1>(4 * e + 2, m)));
+      const Plane inner = tripled[(e + 2) % 3] - Plane(1, 1), across(inner[1], -inner[0]);
+      const int next = 3 * ((e + 1) % 3);
+      EXPECT_EQ(traction(s[3 * e + 1], across), traction(s[next], across));
+      EXPECT_EQ(traction(s[3 * e + 2], across), traction(s[next + 2], across));
+    }
+  }
+}
+
 TEST(BlockElement, stiffness_has_rank_nine_and_only_rigid_motions_in_its_kernel) {
   for (const Triangle& t : triangles()) {
     const auto half = half_stiffness(block_element(t, compliance()));

@@ -1,8 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "inputs.h"
+#include "tests/scene/inputs.h"
 
-#include <cstdlib>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -18,6 +20,7 @@ Folder::Folder() {
 Folder::~Folder() { std::filesystem::remove_all(path_); }
 
 std::filesystem::path Folder::write(const std::string& name, const std::string& text) const {
+  std::filesystem::remove(path_ / name);  // some file systems wait for the disk when a file is written over
   std::ofstream(path_ / name, std::ios::binary) << text;
   return path_ / name;
 }

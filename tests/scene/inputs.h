@@ -1,10 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/scene.h"
-
 #include <functional>
 #include <optional>
+
+#include "scene/scene.h"
 
 /// Files and scenes for the tests of this folder.
 namespace bracket::scene::test {

@@ -1,9 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "inputs.h"
-#include "scene/topology.h"
-
 #include <gtest/gtest.h>
+
 #include <numbers>
+
+#include "scene/topology.h"
+#include "tests/scene/inputs.h"
 
 namespace bracket::scene {
 namespace {

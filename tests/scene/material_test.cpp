@@ -1,8 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/scene.h"
-
 #include <gtest/gtest.h>
+
 #include <limits>
+
+#include "scene/scene.h"
 
 namespace bracket::scene {
 namespace {
@@ -27,8 +28,8 @@ TEST(Material, ComplianceIsTheInverseOfStiffness) {
   EXPECT_LE(inverse_defect(isotropic<2>(1, 0.5, true)), 16 * eps);
 }
 
-// Both tensors against the strain energy by bulk and shear modulus: each entry must be good to a few eps on its own, also
-// where an inverse would lose seven digits.
+// Both tensors against the strain energy by bulk and shear modulus: each entry must be good to a few eps on its own,
+// also where an inverse would lose seven digits.
 TEST(Material, EntriesStayAccurateNearIncompressibility) {
   for (const double poisson : {0.0, 0.3, 0.4999999, 0.4999999999}) {
     const long double nu = poisson;

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "inputs.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/scene/inputs.h"
 
 namespace bracket::scene {
 namespace {
@@ -36,14 +36,13 @@ TEST(BadMesh, FilesThatAreNotWhatIsReadAreRefused) {
   const std::string two = gmsh_2(two_squares()), four = gmsh_4(two_squares());
   const std::map<std::string, Case> cases = {
       {"empty", {"", {"not a Gmsh mesh"}}},
-      {"something else", {"# vtk DataFile Version 2.0\n", {"# ", "not a Gmsh mesh"}}},
+      {"something else", {"# vtk DataFile Version 2.0\n", {"'#'", "not a Gmsh mesh"}}},
       {"binary 2", {replaced(two, "2.2 0 8", "2.2 1 8"), {":2", "binary", "ASCII"}}},
       {"binary 4", {replaced(four, "4.1 0 8", "4.1 1 8\n" + std::string("\0\1\2", 3)), {"binary"}}},
       {"version 4.0", {replaced(four, "4.1 0 8", "4 0 8"), {"version 4 ", "4.1"}}},
       {"garbage number", {replaced(two, "\n2 1 0 0\n", "\n2 1.0.0 0 0\n"), {"1.0.0", "not a number"}}},
       {"huge integer", {replaced(two, "\n2 1 0 0\n", "\n99999999999999999999999 1 0 0\n"), {"not an integer"}}},
-      {"smallest integer",
-       {replaced(two, "1 1 2 5 3 1 2\n", "1 1 2 -9223372036854775808 3 1 2\n"), {"out of range"}}},
+      {"smallest integer", {replaced(two, "1 1 2 5 3 1 2\n", "1 1 2 -9223372036854775808 3 1 2\n"), {"out of range"}}},
       {"infinite", {replaced(two, "\n2 1 0 0\n", "\n2 inf 0 0\n"), {"node 2", "finite"}}},
       {"not a number", {replaced(two, "\n2 1 0 0\n", "\n2 nan 0 0\n"), {"node 2", "finite"}}},
       {"more nodes announced", {replaced(two, "$Nodes\n8\n", "$Nodes\n9\n"), {"$EndNodes", "truncated"}}},
@@ -76,11 +75,28 @@ TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
   const Folder folder;
   const std::map<std::string, std::pair<GmshContent, std::vector<std::string>>> cases = {
       {"no triangles", {changed([](GmshContent& c) { c.triangles.clear(); }), {"no triangles"}}},
-      {"no surface", {changed([](GmshContent& c) { c.triangles[2].physical = 0; }), {"triangle 6", "physical surface"}}},
-      {"degenerate", {changed([](GmshContent& c) { c.nodes[1] = {0.5, 0.5}; }), {"degenerate", "(0.5, 0.5)"}}},
-      {"all at one point", {changed([](GmshContent& c) { c.nodes.assign(8, {0, 0}); }), {"degenerate"}}},
-      {"far too large", {changed([](GmshContent& c) { c.nodes[1] = {1e200, -1e200}; }), {"degenerate"}}},
-      {"duplicate", {changed([](GmshContent& c) { c.triangles.push_back({2, {7, 4, 6}}); }), {"duplicate"}}},
+      {"no surface",
+       {changed([](GmshContent& c) { c.triangles[2].physical = 0; }), {"triangle 6", "physical surface"}}},
+      {"degenerate",
+       {changed([](GmshContent& c) {
+          c.nodes[1] = {0.5, 0.5};
+        }),
+        {"degenerate", "(0.5, 0.5)"}}},
+      {"all at one point",
+       {changed([](GmshContent& c) {
+          c.nodes.assign(8, {0, 0});
+        }),
+        {"degenerate"}}},
+      {"far too large",
+       {changed([](GmshContent& c) {
+          c.nodes[1] = {1e200, -1e200};
+        }),
+        {"degenerate"}}},
+      {"duplicate",
+       {changed([](GmshContent& c) {
+          c.triangles.push_back({2, {7, 4, 6}});
+        }),
+        {"duplicate"}}},
       {"three at an edge",
        {changed([](GmshContent& c) {
           c.nodes.push_back({0.4, 0.3});
@@ -88,7 +104,10 @@ TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
         }),
         {"more than two", "(0, 0)", "(1, 1)"}}},
       {"overlap",
-       {changed([](GmshContent& c) { c.nodes[3] = {2, -1}; }), {"overlap", "(0, 0)", "(1, 1)"}}},
+       {changed([](GmshContent& c) {
+          c.nodes[3] = {2, -1};
+        }),
+        {"overlap", "(0, 0)", "(1, 1)"}}},
       {"shared nodes",
        {changed([](GmshContent& c) {
           c.triangles[2].nodes = {3, 2, 6};
@@ -96,8 +115,8 @@ TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
           c.lines.pop_back();
         }),
         {"'lower'", "'upper'", "share", "own"}}},
-      {"pieces", {changed([](GmshContent& c) { c.triangles[2].physical = c.triangles[3].physical = 1; }),
-                  {"'lower'", "pieces"}}},
+      {"pieces",
+       {changed([](GmshContent& c) { c.triangles[2].physical = c.triangles[3].physical = 1; }), {"'lower'", "pieces"}}},
       {"pieces by a point",
        {changed([](GmshContent& c) {
           c.triangles[2] = {1, {2, 5, 6}};
@@ -106,16 +125,27 @@ TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
           c.lines.pop_back();
         }),
         {"'lower'", "pieces"}}},
-      {"interior line", {changed([](GmshContent& c) { c.lines[1].nodes = {0, 2}; }), {"'joint below'", "inside"}}},
-      {"no edge", {changed([](GmshContent& c) { c.lines[1].nodes = {1, 3}; }), {"'joint below'", "no edge"}}},
+      {"interior line",
+       {changed([](GmshContent& c) {
+          c.lines[1].nodes = {0, 2};
+        }),
+        {"'joint below'", "inside"}}},
+      {"no edge",
+       {changed([](GmshContent& c) {
+          c.lines[1].nodes = {1, 3};
+        }),
+        {"'joint below'", "no edge"}}},
       {"line on a free node",
        {changed([](GmshContent& c) {
           c.nodes.push_back({5, 5});
           c.lines[1].nodes = {1, 8};
         }),
         {"'joint below'", "no triangle"}}},
-      {"line in two curves", {changed([](GmshContent& c) { c.lines.push_back({7, {1, 0}}); }),
-                              {"'base'", "'joint above'"}}},
+      {"line in two curves",
+       {changed([](GmshContent& c) {
+          c.lines.push_back({7, {1, 0}});
+        }),
+        {"'base'", "'joint above'"}}},
       {"two groups of one name",
        {changed([](GmshContent& c) { c.names = replaced(c.names, "\"upper\"", "\"lower\""); }), {"'lower'"}}},
   };
@@ -125,15 +155,16 @@ TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
   }
 }
 
-// Two squares of one body, joined by a chain of cells, that touch at a corner as well: each vertex there has four facets.
+// Two squares of one body, joined by a chain of cells, that touch at a corner as well: each vertex there has four
+// facets.
 TEST(BadMesh, ABodyThatHangsByAPointIsRefused) {
   const Folder folder;
   GmshContent content;
   content.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {2, 1}, {2, 2}, {1, 2}, {3, 0}, {3, 1}};
   content.triangles = {{1, {0, 1, 2}}, {1, {0, 2, 3}}, {1, {2, 4, 5}}, {1, {2, 5, 6}}, {1, {1, 7, 0}}};
   content.nodes[7] = {3, -1};
-  content.triangles[4] = {1, {0, 7, 1}};         // below the first square …
-  content.triangles.push_back({1, {1, 7, 4}});   // … and up to the second
+  content.triangles[4] = {1, {0, 7, 1}};        // below the first square …
+  content.triangles.push_back({1, {1, 7, 4}});  // … and up to the second
   content.triangles.push_back({1, {1, 4, 8}});
   content.triangles.pop_back();
   content.triangles.push_back({1, {4, 7, 5}});

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "inputs.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/scene/inputs.h"
 
 namespace bracket::scene {
 namespace {
@@ -35,8 +35,8 @@ TEST(Gmsh, BothVersionsGiveTheSameMesh) {
   EXPECT_EQ(two.vertices.size(), 8u);
   EXPECT_EQ(two.boundary.size(), 8u);
   EXPECT_TRUE(two.notes.empty());
-  for (const auto& [part, x] : std::map<std::string, Vector<2>>{
-           {"base", {0.5, 0}}, {"joint below", {0.5, 1}}, {"joint above", {0.5, 1}}}) {
+  for (const auto& [part, x] :
+       std::map<std::string, Vector<2>>{{"base", {0.5, 0}}, {"joint below", {0.5, 1}}, {"joint above", {0.5, 1}}}) {
     const auto& facet = two.boundary[facet_at(two, part, x)];
     EXPECT_EQ(0.5 * (two.vertices[facet.vertices[0]] + two.vertices[facet.vertices[1]]), x) << part;
     EXPECT_EQ(two.bodies[two.cell_body[facet.cell]], part == "joint above" ? "upper" : "lower");
@@ -48,8 +48,8 @@ TEST(Gmsh, WindowsLineEndsAndStrangeSectionsDoNotMatter) {
   const std::string plain = gmsh_4(two_squares());
   std::string windows;
   for (const char c : plain) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  const std::string odd = "$Comments\n3 1 what $Nodes\n$EndComments\n" + plain +
-                          "$Periodic\n1\n0 1 2\n0\n1\n1 2\n$EndPeriodic\n";
+  const std::string odd =
+      "$Comments\n3 1 what $Nodes\n$EndComments\n" + plain + "$Periodic\n1\n0 1 2\n0\n1\n1 2\n$EndPeriodic\n";
   const Mesh<2> expected = read_gmsh<2>(folder.write("plain.msh", plain));
   expect_same(expected, read_gmsh<2>(folder.write("windows.msh", windows)));
   expect_same(expected, read_gmsh<2>(folder.write("odd.msh", odd)));
@@ -123,7 +123,9 @@ TEST(Gmsh, AnyByteChangedItIsReadOrRefused) {
       changed[at] = c;
       const auto file = folder.write("changed.msh", changed);
       const auto error = error_of([&] { EXPECT_EQ(read_gmsh<2>(file).cells.size(), 4u); });
-      if (error) EXPECT_EQ(error->status(), Status::mesh);
+      if (error) {
+        EXPECT_EQ(error->status(), Status::mesh);
+      }
     }
   }
 }

@@ -1,0 +1,101 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bounds/bounds.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::bounds {
+namespace {
+
+using scene::Voigt;
+
+/// Solutions of the two-block scene, to be spoilt.
+struct Solved {
+  scene::Problem<2> problem = tests::problem(tests::two_blocks(4));
+  primal::Displacement<2> u = primal::solve(problem, 2).displacement;
+  dual::Stress<2> stress = dual::solve(problem).stress;
+  Checks checks() const { return admissibility(problem, u, stress); }
+  int contact_cell() const { return problem.mesh.boundary[problem.contact[0].first].cell; }
+};
+
+TEST(Checks, pass_on_solutions) {
+  const Checks checks = Solved().checks();
+  EXPECT_TRUE(checks.passed());
+  EXPECT_LT(checks.penetration, 1e-13);
+  EXPECT_LT(checks.equilibrium, 1e-12);
+  EXPECT_LT(checks.interface_jump, 1e-12);
+  EXPECT_LT(checks.boundary_traction, 1e-12);
+  EXPECT_LT(checks.tension, 1e-14);
+}
+
+TEST(Checks, see_penetration_at_and_between_nodes) {
+  Solved s;
+  const auto& facet = s.problem.mesh.boundary[s.problem.contact[0].first];
+  s.u.vertex[facet.vertices[0]][1] -= 1;
+  EXPECT_GT(s.checks().penetration, 0.1);
+  Solved middle;
+  middle.u.edge[facet.edge][1] -= 1;
+  EXPECT_GT(middle.checks().penetration, 0.1);
+}
+
+TEST(Checks, see_a_support_that_is_not_kept) {
+  for (const char* part : {"lower.bottom", "upper.left"}) {
+    Solved s;
+    const auto& parts = s.problem.mesh.parts;
+    const int index = static_cast<int>(std::find(parts.begin(), parts.end(), part) - parts.begin());
+    for (const auto& facet : s.problem.mesh.boundary)
+      if (facet.part == index) s.u.edge[facet.edge][0] += 1;
+    EXPECT_GT(s.checks().penetration, 0.1) << part;
+  }
+}
+
+TEST(Checks, see_stresses_out_of_equilibrium) {
+  Solved s;
+  s.stress.cell[3][2] += Voigt<2>(1, 0, 0);  // at the centroid in one part: a divergence and an inner jump
+  EXPECT_GT(s.checks().equilibrium, 0.1);
+  EXPECT_LT(s.checks().interface_jump, 1e-10);
+}
+
+TEST(Checks, see_jumps_between_cells_and_across_the_contact) {
+  Solved s;
+  for (auto& corner : s.stress.cell[20]) corner += Voigt<2>(1, 1, 0);  // a constant: in equilibrium by itself
+  EXPECT_LT(s.checks().equilibrium, 1e-10);
+  EXPECT_GT(s.checks().interface_jump, 0.1);
+
+  Solved across;  // σ_yy in all of one body: continuous inside, not across the contact
+  for (std::size_t c = 0; c < across.stress.cell.size(); ++c)
+    if (across.problem.mesh.cell_body[c] == 1)
+      for (auto& corner : across.stress.cell[c]) corner[1] -= 1;
+  EXPECT_GT(across.checks().interface_jump, 0.1);
+}
+
+TEST(Checks, see_wrong_boundary_tractions_and_shear_on_smooth_parts) {
+  Solved s;
+  for (auto& cell : s.stress.cell)
+    for (auto& corner : cell) corner[0] += 1;  // σ_xx everywhere: the free sides
+  EXPECT_GT(s.checks().boundary_traction, 0.1);
+  EXPECT_LT(s.checks().interface_jump, 1e-10);
+  Solved shear;
+  for (auto& cell : shear.stress.cell)
+    for (auto& corner : cell) corner[2] += 1;
+  EXPECT_GT(shear.checks().boundary_traction, 0.1);
+}
+
+TEST(Checks, see_tension) {
+  Solved s;
+  for (auto& cell : s.stress.cell)
+    for (auto& corner : cell) corner[1] += 1;
+  EXPECT_GT(s.checks().tension, 0.1);
+}
+
+TEST(Checks, do_not_pass_what_is_not_a_number) {
+  Solved s;
+  s.u.vertex[1][0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(s.checks().passed());
+  Solved t;
+  t.stress.cell[0][0][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(t.checks().passed());
+}
+
+}  // namespace
+}  // namespace bracket::bounds

@@ -1,0 +1,104 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bounds/bounds.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::bounds {
+namespace {
+
+using scene::Support;
+using scene::Vector;
+
+/// A scene with everything that has a term of its own in the identity: body force, prescribed displacements, sliding
+/// supports, tractions, a gap that opens and one that overlaps, a wall and a second body.
+scene::Scene<2> everything() {
+  scene::Scene<2> s;
+  s.blocks = {tests::block("lower", 0, 1, 0, 1, 3, 4), tests::block("upper", 0, 1, 1, 2, 3, 2)};
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(5, 0.4, true)}};
+  s.bodies["lower"].force = {0.01, -0.05};
+  s.boundary = {{"lower.left", tests::sliding(-0.02)},
+                {"upper.right", tests::fixed(0.01, -0.03)},
+                {"upper.top", tests::traction([](const auto& x) { return 0.01 * x[0]; }, tests::constant(-0.05))}};
+  s.contact = {{"upper.bottom", "lower.top", [](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }, ""},
+               {"lower.bottom", "rigid", [](const auto& x) { return 0.01 * x[0] * x[0]; }, ""}};
+  return s;
+}
+
+/// Adds noise where nothing is prescribed.
+primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Displacement<2> u, double size, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> noise(-size, size);
+  std::vector<char> keep_vertex(u.vertex.size(), 0), keep_edge(u.edge.size(), 0);
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support != Support::fixed && problem.facets[f].support != Support::sliding) continue;
+    const auto& facet = problem.mesh.boundary[f];
+    for (const int v : facet.vertices) keep_vertex[v] = 1;
+    if (!keep_edge.empty()) keep_edge[facet.edge] = 1;
+  }
+  for (std::size_t v = 0; v < u.vertex.size(); ++v)
+    if (!keep_vertex[v]) u.vertex[v] += Vector<2>(noise(generator), noise(generator));
+  for (std::size_t e = 0; e < u.edge.size(); ++e)
+    if (!keep_edge[e]) u.edge[e] += Vector<2>(noise(generator), noise(generator));
+  return u;
+}
+
+TEST(GapIdentity, holds_for_any_displacement_that_keeps_the_supports) {
+  const auto problem = tests::problem(everything());
+  const auto stresses = dual::solve(problem);
+  ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
+  const double s = complementary_energy(problem, stresses.stress);
+  for (const int degree : {1, 2}) {
+    const auto displacements = primal::solve(problem, degree);
+    ASSERT_EQ(displacements.outcome, contact::Outcome::solved) << displacements.reason;
+    for (const double size : {0.0, 1e-3, 1.0}) {
+      const auto u = disturbed(problem, displacements.displacement, size, 5);
+      const auto energy = potential_energy(problem, u);
+      const double sum = indicator(problem, u, stresses.stress).sum;
+      EXPECT_NEAR(sum, energy.total + s, 1e-14 * (energy.strain + std::abs(s))) << "degree " << degree << ", noise " << size;
+    }
+  }
+}
+
+TEST(Energies, solutions_are_minima) {
+  const auto problem = tests::problem(everything());
+  for (const int degree : {1, 2}) {
+    const auto u = primal::solve(problem, degree).displacement;
+    const double least = potential_energy(problem, u).total;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      // Steps along noise that stay admissible: scaled back until nothing penetrates.
+      auto v = disturbed(problem, u, 1e-4, seed);
+      const auto stress = dual::solve(problem).stress;
+      if (admissibility(problem, v, stress).penetration > 1e-12) continue;
+      EXPECT_GE(potential_energy(problem, v).total, least);
+    }
+  }
+}
+
+TEST(Indicator, every_share_is_non_negative) {
+  const auto problem = tests::problem(everything());
+  const auto u = primal::solve(problem, 2).displacement;
+  const auto stress = dual::solve(problem).stress;
+  const auto shares = indicator(problem, u, stress);
+  for (const double share : shares.cell) EXPECT_GE(share, 0);
+  for (const double share : shares.contact) EXPECT_GE(share, -1e-15);
+  const Bracket b = bracket(problem, u, stress, shares);
+  EXPECT_LT(b.lower, b.upper);
+  EXPECT_NEAR(b.error_bound, std::sqrt(2 * (b.upper - b.lower)), 1e-10 * b.error_bound);
+  EXPECT_LE(b.mean_stress_error_bound, b.error_bound);
+}
+
+TEST(Energies, nothing_happens_without_loads) {
+  auto scene = tests::two_blocks(2, 0);
+  scene.boundary["upper.top"] = tests::fixed(0, 0);
+  const auto outcome = run(scene);
+  EXPECT_EQ(outcome.levels[0].bracket.lower, 0);
+  EXPECT_EQ(outcome.levels[0].bracket.upper, 0);
+  EXPECT_EQ(outcome.levels[0].bracket.relative_error_bound, 0);
+  EXPECT_EQ(outcome.guarantee, "discretisation");
+}
+
+}  // namespace
+}  // namespace bracket::bounds

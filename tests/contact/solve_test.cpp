@@ -1,0 +1,209 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/contact/truss.h"
+
+#include <gtest/gtest.h>
+
+namespace bracket::contact {
+namespace {
+
+using namespace test;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+// A backward stable solve of n ≤ 60 unknowns leaves n eps; trusses in random position have factors up to 1e2 more.
+constexpr double rounding = 60 * eps * 1e2;
+
+void expect_solved(const std::vector<Body>& bodies, const VectorXd& gap, const Solution& solution) {
+  ASSERT_EQ(solution.outcome, Outcome::solved);
+  const Kkt found = kkt(bodies, gap, solution);
+  EXPECT_LE(found.equilibrium, rounding);
+  EXPECT_LE(found.rigid, rounding);
+  EXPECT_LE(found.penetration, rounding);
+  EXPECT_LE(found.complementarity, rounding);
+  EXPECT_GE(found.least_pressure, 0);
+  for (Index i = 0; i < gap.size(); ++i) EXPECT_TRUE(solution.active[static_cast<std::size_t>(i)] || solution.pressure[i] == 0);
+}
+
+/// Two trusses, the second on springs, joint against joint along random normals.
+struct Pair {
+  std::vector<Body> bodies;
+  VectorXd gap;
+};
+Pair random_pair(Index m, bool first_floats, std::mt19937& random) {
+  const Truss upper = random_truss(9, random), lower_truss = random_truss(9, random);
+  MatrixXd first = MatrixXd::Zero(m, 18), second = MatrixXd::Zero(m, 18);
+  for (Index i = 0; i < m; ++i) {
+    const Eigen::Vector2d normal = Eigen::Vector2d(random_vector(2, random)).normalized();
+    bind(first, i, i % 9, normal);
+    bind(second, i, i % 9, -normal);
+  }
+  Pair result;
+  result.gap = 0.1 * random_vector(m, random);
+  // What some p ≥ 0 balances, plus what the truss carries in itself.
+  const VectorXd carried = first.transpose() * random_vector(m, random).cwiseAbs() +
+                           upper.stiffness * random_vector(18, random);
+  result.bodies = {first_floats ? floating(upper, carried, first) : supported(upper, random_vector(18, random), first),
+                   supported(lower_truss, random_vector(18, random), second)};
+  return result;
+}
+
+TEST(Solve, KktOfTwoBodies) {
+  std::mt19937 random(20);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Pair pair = random_pair(1 + trial % 14, trial % 2 == 0, random);
+    expect_solved(pair.bodies, pair.gap, solve(pair.bodies, pair.gap));
+  }
+}
+
+TEST(Solve, TheGuessDoesNotChangeTheSolution) {
+  std::mt19937 random(21);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Pair pair = random_pair(8, trial % 2 == 0, random);
+    const Solution all = solve(pair.bodies, pair.gap);
+    ASSERT_EQ(all.outcome, Outcome::solved);
+    for (const std::vector<char>& guess : {std::vector<char>(8, 0), all.active, std::vector<char>{1, 0, 1, 0, 1, 0, 1, 0}}) {
+      const Solution other = solve(pair.bodies, pair.gap, guess);
+      expect_solved(pair.bodies, pair.gap, other);
+      EXPECT_NEAR((other.pressure - all.pressure).norm(), 0, 1e3 * rounding * all.pressure.norm());
+    }
+    EXPECT_EQ(solve(pair.bodies, pair.gap, all.active).iterations, 1);
+  }
+}
+
+// Without rows each body is solved for itself; the elastic part and the displacement are then the same.
+TEST(Solve, WithoutRows) {
+  std::mt19937 random(22);
+  const Truss truss = random_truss(9, random);
+  const VectorXd load = random_vector(18, random);
+  const std::vector<Body> held{supported(truss, load, MatrixXd(0, 18))};
+  const Solution solution = solve(held, VectorXd(0));
+  expect_solved(held, VectorXd(0), solution);
+  EXPECT_EQ(solution.displacement[0], solution.elastic[0]);
+  EXPECT_EQ(solution.iterations, 0);
+
+  const std::vector<Body> balanced{floating(truss, truss.stiffness * load, MatrixXd(0, 18))};
+  const Solution afloat = solve(balanced, VectorXd(0));
+  expect_solved(balanced, VectorXd(0), afloat);
+  EXPECT_LE(afloat.imbalance, 18 * eps);
+
+  const Solution lost = solve({floating(truss, load, MatrixXd(0, 18))}, VectorXd(0));
+  ASSERT_EQ(lost.outcome, Outcome::no_equilibrium);
+  EXPECT_GT((rigid_motions(truss.joints) * lost.motion[0]).dot(load), 0);
+}
+
+/// A square of four joints and its diagonals, from (x, y) with side one.
+Truss square(double x, double y) {
+  Truss truss{MatrixXd(4, 2), MatrixXd::Zero(8, 8)};
+  truss.joints << x, y, x + 1, y, x + 1, y + 1, x, y + 1;
+  for (Index i = 0; i < 4; ++i)
+    for (Index j = 0; j < i; ++j) {
+      const Eigen::Vector2d along = (truss.joints.row(i) - truss.joints.row(j)).transpose().normalized();
+      add_bar(truss.stiffness, i, j, along * along.transpose());
+    }
+  return truss;
+}
+
+/// `levels` squares on each other and on a rigid floor, two rows on each level; all float. `stiffness` of each.
+std::vector<Body> tower(const std::vector<double>& stiffness, const VectorXd& top_load) {
+  std::vector<Body> bodies;
+  const auto levels = static_cast<Index>(stiffness.size());
+  for (Index level = 0; level < levels; ++level) {
+    Truss truss = square(0, static_cast<double>(level));
+    truss.stiffness *= stiffness[static_cast<std::size_t>(level)];
+    MatrixXd rows = MatrixXd::Zero(2 * levels, 8);
+    bind(rows, 2 * level, 0, {0, -1});
+    bind(rows, 2 * level + 1, 1, {0, -1});
+    if (level + 1 < levels) {
+      bind(rows, 2 * level + 2, 3, {0, 1});
+      bind(rows, 2 * level + 3, 2, {0, 1});
+    }
+    bodies.push_back(floating(truss, level + 1 == levels ? top_load : VectorXd::Zero(8), rows));
+  }
+  return bodies;
+}
+
+// Statics alone gives the pressures: the lever rule, the same on every level.
+TEST(Solve, BodiesStackedOnEachOther) {
+  VectorXd load = VectorXd::Zero(8);
+  load[7] = -3;  // above the left row
+  load[5] = -1;  // above the right
+  for (double ratio : {1e-12, 1.0, 1e12})
+    for (double unit : {1e-12, 1.0, 1e12}) {
+      const auto bodies = tower({unit, unit * ratio, unit}, load);
+      const VectorXd gap = VectorXd::Zero(6);
+      const Solution solution = solve(bodies, gap);
+      expect_solved(bodies, gap, solution);
+      for (Index level = 0; level < 3; ++level) {
+        EXPECT_NEAR(solution.pressure[2 * level], 3, 3 * rounding);
+        EXPECT_NEAR(solution.pressure[2 * level + 1], 1, 3 * rounding);
+      }
+      EXPECT_LE(solution.imbalance, 1e-14);
+    }
+}
+
+// Both loads above the left row: the right one carries nothing, yet is closed or open as the elastic squares decide.
+TEST(Solve, RowWithoutPressureInAStack) {
+  VectorXd load = VectorXd::Zero(8);
+  load[7] = -1;
+  const auto bodies = tower({1, 1, 1}, load);
+  const VectorXd gap = VectorXd::Zero(6);
+  const Solution solution = solve(bodies, gap);
+  expect_solved(bodies, gap, solution);
+  for (Index level = 0; level < 3; ++level) EXPECT_NEAR(solution.pressure[2 * level], 1, rounding);
+}
+
+/// The motion that solve() gives must gain energy and meet no row.
+void expect_pushed_off(const std::vector<Body>& bodies, const VectorXd& gap) {
+  const Solution solution = solve(bodies, gap);
+  ASSERT_EQ(solution.outcome, Outcome::no_equilibrium);
+  double gain = 0, largest = 0;
+  VectorXd work = VectorXd::Zero(gap.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const VectorXd moved = bodies[b].rigid * solution.motion[b];
+    gain += moved.dot(bodies[b].load);
+    work += bodies[b].rows * moved;
+    if (moved.size() > 0) largest = std::max(largest, moved.cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(gain, 0);
+  EXPECT_LE(work.maxCoeff(), 1e-10);
+  EXPECT_NEAR(largest, 1, 4 * eps);
+}
+
+TEST(Solve, LoadsThatNoPressureBalances) {
+  const VectorXd gap = VectorXd::Zero(6);
+  VectorXd load = VectorXd::Zero(8);
+  load[5] = load[7] = 1;  // lifted
+  expect_pushed_off(tower({1, 1, 1}, load), gap);
+  load << 0, 0, 0, 0, 0, -1, 0, 1e-3;  // tilted over its edge
+  expect_pushed_off(tower({1, 1, 1}, load), gap);
+  load << 0, 0, 0, 0, 0, -1, 1e-6, -1;  // pushed aside, where nothing is in the way
+  expect_pushed_off(tower({1, 1, 1}, load), gap);
+}
+
+TEST(Solve, ImbalanceOfRoundingIsRemovedAndReported) {
+  VectorXd load = VectorXd::Zero(8);
+  load[5] = load[7] = -1;
+  load[4] = 2e-13;
+  const auto bodies = tower({1, 1, 1}, load);
+  const Solution solution = solve(bodies, VectorXd::Zero(6));
+  ASSERT_EQ(solution.outcome, Outcome::solved);
+  EXPECT_GT(solution.imbalance, 1e-14);
+  EXPECT_LT(solution.imbalance, 1e-12);
+}
+
+// A very stiff square on a soft one moves by the soft one's displacement; what strains it is 1e12 times less.
+TEST(Solve, ElasticPartIsFreeOfTheRoundingOfALargeMotion) {
+  VectorXd load = VectorXd::Zero(8);
+  load[5] = load[7] = -1;
+  const auto bodies = tower({1, 1e12}, load);
+  const Solution solution = solve(bodies, VectorXd::Zero(4));
+  ASSERT_EQ(solution.outcome, Outcome::solved);
+  const VectorXd acting = bodies[1].load - bodies[1].rows.transpose() * solution.pressure;
+  const MatrixXd stiffness = symmetric(bodies[1].stiffness);
+  EXPECT_LE((stiffness * solution.elastic[1] - acting).norm(), rounding);
+  const VectorXd rigid = solution.displacement[1] - solution.elastic[1];
+  EXPECT_GT(rigid.norm(), 1e6 * solution.elastic[1].norm());
+  EXPECT_LE((rigid - bodies[1].rigid * bodies[1].rigid.colPivHouseholderQr().solve(rigid)).norm(), 8 * eps * rigid.norm());
+}
+
+}  // namespace
+}  // namespace bracket::contact

@@ -1,0 +1,193 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/contact/truss.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace bracket::contact {
+namespace {
+
+using namespace test;
+
+constexpr double rounding = 60 * 1e2 * std::numeric_limits<double>::epsilon();  // as in solve_test.cpp
+
+void expect_solved(const std::vector<Body>& bodies, const VectorXd& gap, const Solution& solution) {
+  ASSERT_EQ(solution.outcome, Outcome::solved);
+  const Kkt found = kkt(bodies, gap, solution);
+  EXPECT_LE(found.equilibrium, rounding);
+  EXPECT_LE(found.rigid, rounding);
+  EXPECT_LE(found.penetration, rounding);
+  EXPECT_LE(found.complementarity, rounding);
+  EXPECT_GE(found.least_pressure, 0);
+}
+
+/// The same rows twice, and the means of neighbours.
+MatrixXd with_dependent_rows(const MatrixXd& rows) {
+  MatrixXd result(3 * rows.rows() - 1, rows.cols());
+  result << rows, rows, 0.5 * (rows.topRows(rows.rows() - 1) + rows.bottomRows(rows.rows() - 1));
+  return result;
+}
+
+TEST(SolveUgly, DependentRowsChangeNothingButTheSharesOfPressure) {
+  std::mt19937 random(30);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Truss truss = random_truss(9, random);
+    MatrixXd rows = MatrixXd::Zero(6, 18);
+    for (Index i = 0; i < 6; ++i) bind(rows, i, i, Eigen::Vector2d(random_vector(2, random)).normalized());
+    const VectorXd gap = 0.1 * random_vector(6, random);
+    const VectorXd load = random_vector(18, random);
+    const std::vector<Body> plain{supported(truss, load, rows)};
+    const std::vector<Body> dependent{supported(truss, load, with_dependent_rows(rows))};
+    const VectorXd gaps = with_dependent_rows(gap);
+    const Solution one = solve(plain, gap), other = solve(dependent, gaps);
+    expect_solved(plain, gap, one);
+    expect_solved(dependent, gaps, other);
+    EXPECT_NEAR((one.displacement[0] - other.displacement[0]).norm(), 0, 10 * rounding * one.displacement[0].norm());
+  }
+}
+
+TEST(SolveUgly, ContradictingRows) {
+  std::mt19937 random(31);
+  const Truss truss = random_truss(9, random);
+  MatrixXd rows = MatrixXd::Zero(2, 18);
+  bind(rows, 0, 4, {0, 1});
+  bind(rows, 1, 4, {0, -1});
+  const std::vector<Body> bodies{supported(truss, random_vector(18, random), rows)};
+  EXPECT_EQ(solve(bodies, Eigen::Vector2d(-1, -1)).outcome, Outcome::contradiction);
+  EXPECT_EQ(solve(bodies, Eigen::Vector2d(1, -1.001)).outcome, Outcome::contradiction);
+  const Eigen::Vector2d fitted(1, -1);
+  expect_solved(bodies, fitted, solve(bodies, fitted));
+}
+
+// A row that touches nothing is met or not, whatever the bodies do.
+TEST(SolveUgly, EmptyRows) {
+  std::mt19937 random(32);
+  const Truss truss = random_truss(9, random);
+  MatrixXd rows = MatrixXd::Zero(2, 18);
+  bind(rows, 0, 4, {0, 1});
+  const std::vector<Body> bodies{supported(truss, random_vector(18, random), rows)};
+  const Eigen::Vector2d open(0, 1), closed(0, -1);
+  expect_solved(bodies, open, solve(bodies, open));
+  EXPECT_EQ(solve(bodies, closed).outcome, Outcome::contradiction);
+}
+
+// All but three unknowns are in contact, so some that are pinned are, too.
+TEST(SolveUgly, ContactEverywhere) {
+  std::mt19937 random(33);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Truss truss = random_truss(6, random);
+    const MatrixXd rows = MatrixXd::Identity(12, 12);
+    const VectorXd load = truss.stiffness * random_vector(12, random) + random_vector(12, random).cwiseAbs();
+    const VectorXd gap = 0.1 * random_vector(12, random);
+    const std::vector<Body> bodies{floating(truss, load, rows)};
+    expect_solved(bodies, gap, solve(bodies, gap));
+  }
+}
+
+TEST(SolveUgly, ABodyWithoutUnknowns) {
+  std::mt19937 random(34);
+  const Truss truss = random_truss(9, random);
+  MatrixXd rows = MatrixXd::Zero(1, 18);
+  bind(rows, 0, 4, {0, 1});
+  const Body prescribed{Eigen::SparseMatrix<double>(0, 0), {0, 0, 0}, VectorXd(0), Eigen::SparseMatrix<double>(1, 0),
+                        MatrixXd(0, 0)};
+  const std::vector<Body> bodies{prescribed, supported(truss, random_vector(18, random), rows)};
+  const VectorXd gap = VectorXd::Constant(1, -1);
+  const Solution solution = solve(bodies, gap);
+  expect_solved(bodies, gap, solution);
+  EXPECT_EQ(solution.displacement[0].size(), 0);
+}
+
+TEST(SolveUgly, StiffnessThatIsNotDefinite) {
+  std::mt19937 random(35);
+  const Truss truss = random_truss(9, random);
+  const VectorXd load = VectorXd::Zero(18);
+  const Body good = supported(truss, load, MatrixXd(0, 18));
+  Body forgotten = floating(truss, load, MatrixXd(0, 18));
+  forgotten.rigid.resize(18, 0);  // its rigid motions are not told
+  Solution solution = solve({good, forgotten}, VectorXd(0));
+  EXPECT_EQ(solution.outcome, Outcome::not_definite);
+  EXPECT_EQ(solution.body, 1);
+  Body half = floating(truss, load, MatrixXd(0, 18));
+  half.rigid = half.rigid.leftCols(2).eval();
+  solution = solve({half, good}, VectorXd(0));
+  EXPECT_EQ(solution.outcome, Outcome::not_definite);
+  EXPECT_EQ(solution.body, 0);
+}
+
+// No load, no gap: nothing moves, nothing presses.
+TEST(SolveUgly, NothingHappens) {
+  std::mt19937 random(36);
+  const Truss truss = random_truss(9, random);
+  MatrixXd rows = MatrixXd::Zero(4, 18);
+  for (Index i = 0; i < 4; ++i) bind(rows, i, i, {0, 1});
+  for (const Body& body : {supported(truss, VectorXd::Zero(18), rows), floating(truss, VectorXd::Zero(18), rows)}) {
+    const Solution solution = solve({body}, VectorXd::Zero(4));
+    ASSERT_EQ(solution.outcome, Outcome::solved);
+    EXPECT_EQ(solution.pressure.norm(), 0);
+    EXPECT_EQ(solution.displacement[0].norm(), 0);
+  }
+}
+
+// In other units of force and length, with one body stiffer than the other or softer, the same holds.
+TEST(SolveUgly, UnitsAndModuli) {
+  std::mt19937 random(37);
+  const Truss upper = random_truss(9, random), under = random_truss(9, random);
+  MatrixXd first = MatrixXd::Zero(5, 18), second = MatrixXd::Zero(5, 18);
+  for (Index i = 0; i < 5; ++i) {
+    bind(first, i, i, {0, -1});
+    bind(second, i, i, {0, 1});
+  }
+  const VectorXd carried = first.transpose() * random_vector(5, random).cwiseAbs();
+  const VectorXd load = random_vector(18, random), gap = random_vector(5, random).cwiseAbs();
+  for (double ratio : {1e-12, 1e-6, 1.0, 1e6, 1e12})
+    for (double force : {1e-12, 1.0, 1e12})
+      for (double length : {1e-12, 1.0, 1e12}) {
+        // Stiffness is force by length; the joints' coordinates are lengths.
+        Truss a{upper.joints * length, upper.stiffness * (force / length * ratio)};
+        Truss b{under.joints * length, under.stiffness * (force / length)};
+        Body lying = supported(b, load * force, second);
+        lying.stiffness = lower(b.stiffness + MatrixXd::Identity(18, 18) * (force / length));
+        const std::vector<Body> bodies{floating(a, carried * force, first), lying};
+        expect_solved(bodies, gap * length, solve(bodies, gap * length));
+      }
+}
+
+// A body far from the origin: its rotation looks like a translation.
+TEST(SolveUgly, FarFromTheOrigin) {
+  std::mt19937 random(38);
+  Truss truss = random_truss(9, random);
+  MatrixXd rows = MatrixXd::Zero(6, 18);
+  for (Index i = 0; i < 6; ++i) bind(rows, i, i, Eigen::Vector2d(random_vector(2, random)).normalized());
+  const VectorXd load = rows.transpose() * random_vector(6, random).cwiseAbs();
+  const VectorXd gap = VectorXd::Zero(6);
+  const std::vector<Body> near{floating(truss, load, rows)};
+  truss.joints.array() += 1e4;
+  const std::vector<Body> far{floating(truss, load, rows)};
+  const Solution one = solve(near, gap), other = solve(far, gap);
+  expect_solved(near, gap, one);
+  ASSERT_EQ(other.outcome, Outcome::solved);
+  // The coordinates themselves have lost four digits.
+  EXPECT_NEAR((one.pressure - other.pressure).norm(), 0, 1e4 * rounding * one.pressure.norm());
+}
+
+TEST(SolveUgly, TwoThreadsGiveTheSameBits) {
+  std::mt19937 random(39);
+  const Truss truss = random_truss(300, random);
+  MatrixXd rows = MatrixXd::Zero(50, 600);
+  for (Index i = 0; i < 50; ++i) bind(rows, i, 2 * i, {0, 1});
+  const std::vector<Body> bodies{supported(truss, random_vector(600, random), rows)};
+  const VectorXd gap = VectorXd::Zero(50);
+  const Solution alone = solve(bodies, gap);
+  Solution one, two;
+  std::thread first([&] { one = solve(bodies, gap); });
+  std::thread second([&] { two = solve(bodies, gap); });
+  first.join();
+  second.join();
+  EXPECT_EQ(one.displacement[0], alone.displacement[0]);
+  EXPECT_EQ(two.displacement[0], alone.displacement[0]);
+}
+
+}  // namespace
+}  // namespace bracket::contact

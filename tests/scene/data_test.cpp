@@ -1,0 +1,225 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scene/projection.h"
+#include "tests/scene/inputs.h"
+
+namespace bracket::scene {
+namespace {
+
+using namespace test;
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+Problem<2> fixed(const Scene<2>& scene) { return fix_data(scene, build_mesh(scene)); }
+
+TEST(Projection, KeepsResultantAndMoment) {
+  const Vector<2> a(0.5, 1), b(2.5, 0);
+  for (int degree = 0; degree <= 8; ++degree) {
+    const auto power = [&](const Vector<2>& x) { return std::pow((x - a).norm() / (b - a).norm(), degree); };
+    const auto [left, right] = project(power, a, b, "").value;
+    EXPECT_NEAR((left + right) / 2, 1.0 / (degree + 1), 8 * eps) << degree;    // ∫ s^n
+    EXPECT_NEAR(left / 6 + right / 3, 1.0 / (degree + 2), 8 * eps) << degree;  // ∫ s · s^n
+  }
+}
+
+TEST(Projection, ConstantsAndLinearFunctionsStayExact) {
+  const Vector<2> a(0.1, 0.7), b(0.3, 1.1);
+  EXPECT_EQ(project(constant(0.1), a, b, "").value, (std::array{0.1, 0.1}));
+  EXPECT_EQ(project(constant(0.1), a, b, "").error, 0);
+  const Function<2> linear = [](const Vector<2>& x) { return 3 - 0.7 * x[0] + 1e3 * x[1]; };
+  EXPECT_EQ(project(linear, a, b, "").value, (std::array{linear(a), linear(b)}));
+  const Vector<2> far(1e6, -1e6);  // where the points themselves are rounded
+  EXPECT_EQ(project(linear, a + far, b + far, "").value, (std::array{linear(a + far), linear(b + far)}));
+}
+
+TEST(Projection, AJumpAtAnEndDoesNotMatter) {
+  const Function<2> jump = [](const Vector<2>& x) { return x[0] < 0.5 ? -0.1 : 0.09; };
+  EXPECT_EQ(project(jump, {0.25, 0}, {0.5, 0}, "").value, (std::array{-0.1, -0.1}));
+  EXPECT_EQ(project(jump, {0.5, 0}, {0.75, 0}, "").value, (std::array{0.09, 0.09}));
+  const Function<2> ramp = [](const Vector<2>& x) { return x[0] < 0.5 ? x[0] : 7.0; };
+  const auto [left, right] = project(ramp, {0.25, 0}, {0.5, 0}, "").value;
+  EXPECT_NEAR(left, 0.25, 8 * eps);
+  EXPECT_NEAR(right, 0.5, 8 * eps);
+  const Function<2> pole = [](const Vector<2>& x) { return std::sin(x[0]) / x[0]; };  // not a number at 0 only
+  EXPECT_NEAR(project(pole, {0, 0}, {1e-3, 0}, "").value[0], 1, 1e-7);
+}
+
+TEST(Projection, AJumpInsideIsReported) {
+  const Function<2> jump = [](const Vector<2>& x) { return x[0] < 0.5 ? -1.0 : 1.0; };
+  const EdgeValues<2> values = project(jump, {0, 0}, {1, 0}, "");
+  EXPECT_NEAR(values.value[1], 1.5, 1e-14);  // 3 ∫ |2s − 1| = 3/2; the panels meet at the jump
+  EXPECT_GT(values.error, 0.9);
+  EXPECT_EQ(values.largest, 1);
+}
+
+TEST(Interpolation, QuadraticIsExactForQuadraticFunctions) {
+  const Function<2> gap = [](const Vector<2>& x) { return 0.5 * x[0] * x[0] - x[1]; };
+  const EdgeValues<3> values = interpolate_quadratic(gap, {-1, 0}, {3, 1}, "");
+  EXPECT_EQ(values.value, (std::array{0.5, 3.5, 0.0}));
+  EXPECT_LE(values.error, 16 * eps);
+  EXPECT_GT(interpolate_quadratic([](const Vector<2>& x) { return std::pow(x[0], 3); }, {0, 0}, {1, 0}, "").error,
+            0.01);
+}
+
+TEST(Data, ReachTheFacetsTheyAreGivenFor) {
+  const Function<2> x = [](const Vector<2>& at) { return at[0]; };
+  Scene<2> scene = stacked(4, {{"a.bottom", {ConditionKind::fixed, {constant(0), x}, ""}},
+                               {"a.left", {ConditionKind::traction, {constant(2), constant(0.1)}, ""}},
+                               {"b.right", {ConditionKind::pressure, {constant(0.3)}, ""}},
+                               {"b.left", {ConditionKind::sliding, {constant(-0.2)}, ""}}});
+  scene.contact[0].gap = [](const Vector<2>& at) { return at[0] * at[0]; };
+  const Problem<2> problem = fixed(scene);
+  EXPECT_NEAR(problem.length_scale, std::sqrt(5.0), 1e-15);
+  for (std::size_t i = 0; i < problem.facets.size(); ++i) {
+    const auto& facet = problem.mesh.boundary[i];
+    const auto& data = problem.facets[i];
+    const std::string& part = problem.mesh.parts[facet.part];
+    for (int end = 0; end < 2; ++end) {
+      const Vector<2>& at = problem.mesh.vertices[facet.vertices[end]];
+      if (part == "a.bottom") {
+        EXPECT_EQ(data.support, Support::fixed);
+        EXPECT_EQ(data.displacement[end], Vector<2>(0, at[0]));
+      } else if (part == "b.left") {
+        EXPECT_EQ(data.support, Support::sliding);
+        EXPECT_EQ(data.normal_displacement[end], -0.2);
+      } else {
+        EXPECT_EQ(data.support, part == "a.top" || part == "b.bottom" ? Support::contact : Support::traction);
+        EXPECT_EQ(data.displacement[end], Vector<2>(0, 0));
+        const Vector<2> expected = part == "a.left" ? Vector<2>(2, 0.1) : Vector<2>(part == "b.right" ? -0.3 : 0, 0);
+        EXPECT_EQ(data.traction[end], expected) << part;
+      }
+    }
+  }
+  ASSERT_EQ(problem.contact.size(), 4u);
+  for (const ContactFacet& facet : problem.contact) {
+    const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
+    const double from = problem.mesh.vertices[a][0], to = problem.mesh.vertices[b][0];
+    EXPECT_EQ(facet.gap, (std::array{from * from, to * to, (from + to) * (from + to) / 4}));
+  }
+  EXPECT_LE(problem.oscillation.traction, 4 * eps);
+  EXPECT_LE(problem.oscillation.displacement, 4 * eps);
+  EXPECT_LE(problem.oscillation.gap, 4 * eps);
+}
+
+// For x² on an edge of length h interpolation errs by h²/4 at the middle, and by no more.
+TEST(Data, OscillationIsTheLargestErrorByTheLargestValue) {
+  const Function<2> square = [](const Vector<2>& at) { return 3 * at[0] * at[0]; };
+  const Problem<2> problem = fixed(stacked(
+      4, {{"a.bottom", {ConditionKind::sliding, {square}, ""}}, {"b.top", {ConditionKind::pressure, {square}, ""}}}));
+  EXPECT_GT(problem.oscillation.displacement, 0.98 / 64);
+  EXPECT_LE(problem.oscillation.displacement, 1.001 / 64);
+  EXPECT_GT(problem.oscillation.traction, 0.9 / 96);  // L2: h²/6 at the ends
+  EXPECT_LE(problem.oscillation.traction, 1.0 / 90);
+  EXPECT_EQ(problem.oscillation.gap, 0);
+}
+
+// Two parts may say the same about a corner with different rounding; then they are made to agree.
+TEST(Data, CornersAgreeToTheLastBit) {
+  const double third = 1.0 / 3;
+  const Problem<2> problem =
+      fixed(stacked(2, {{"a.bottom", {ConditionKind::fixed, {constant(third), constant(1)}, ""}},
+                        {"a.left", {ConditionKind::fixed, {constant(third * (1 + 1e-12)), constant(1)}, ""}},
+                        {"a.right", {ConditionKind::sliding, {constant(third * (1 - 1e-12))}, ""}}}));
+  std::map<int, std::vector<double>> prescribed;
+  for (std::size_t i = 0; i < problem.facets.size(); ++i) {
+    const auto& vertices = problem.mesh.boundary[i].vertices;
+    for (int end = 0; end < 2; ++end) {
+      if (problem.mesh.vertices[vertices[end]][1] != 0) continue;
+      if (problem.facets[i].support == Support::fixed) {
+        prescribed[vertices[end]].push_back(problem.facets[i].displacement[end][0]);
+      } else if (problem.facets[i].support == Support::sliding) {
+        prescribed[vertices[end]].push_back(problem.facets[i].normal_displacement[end]);
+      }
+    }
+  }
+  ASSERT_EQ(prescribed.size(), 3u);
+  for (const auto& [vertex, values] : prescribed) {
+    ASSERT_EQ(values.size(), 2u);
+    EXPECT_EQ(values[0], values[1]);
+  }
+}
+
+// Sliding sides at a right angle prescribe different components: nothing to agree on.
+TEST(Data, SlidingSidesMayDifferAtACorner) {
+  EXPECT_NO_THROW(fixed(stacked(2, {{"a.bottom", {ConditionKind::sliding, {constant(0)}, ""}},
+                                    {"a.left", {ConditionKind::sliding, {constant(5)}, ""}}})));
+}
+
+struct Bad {
+  Scene<2> scene;
+  std::vector<std::string> named;
+};
+
+TEST(Data, ContradictionsAreRefused) {
+  const auto scene_with = [](std::map<std::string, Condition<2>> boundary) { return stacked(2, std::move(boundary)); };
+  const Function<2> root = [](const Vector<2>& at) { return std::sqrt(at[0] - 0.5); };
+  const Condition<2> fixed_here = {ConditionKind::fixed, {constant(1), constant(0)}, "here"};
+  const Condition<2> pressed = {ConditionKind::pressure, {constant(1)}, "there"};
+  Scene<2> contact_twice = scene_with({}), same_side = scene_with({}), odd_gap = scene_with({}),
+           unknown_side = scene_with({});
+  contact_twice.contact.push_back({"a.left", "b.bottom", constant(0), "here"});
+  same_side.contact[0] = {"a.top", "a.top", constant(0), "here"};
+  odd_gap.contact[0].gap = root;
+  odd_gap.contact[0].where = "here";
+  unknown_side.contact[0].second = "b.botom";
+  Scene<2> no_body = scene_with({}), other_body = scene_with({});
+  no_body.file = "the scene";
+  no_body.bodies.erase("b");
+  other_body.bodies["c"] = other_body.bodies["a"];
+  other_body.bodies["c"].where = "here";
+  const std::map<std::string, Bad> cases = {
+      {"unknown part", {scene_with({{"a.botom", fixed_here}}), {"here:", "'a.botom'", "'a.bottom'", "b.top"}}},
+      {"unknown contact side", {unknown_side, {"'b.botom'", "'b.bottom'"}}},
+      {"contact and pressure", {scene_with({{"b.bottom", pressed}}), {"'b.bottom'", "contact", "there"}}},
+      {"two pairs", {contact_twice, {"here:", "'b.bottom'", "another contact pair"}}},
+      {"first is second", {same_side, {"here:", "'a.top'", "same"}}},
+      {"body without material", {no_body, {"the scene:", "'b'"}}},
+      {"material without body", {other_body, {"here:", "'c'", "did you mean 'a'"}}},
+      {"fixed and fixed",
+       {scene_with(
+            {{"a.bottom", fixed_here}, {"a.left", {ConditionKind::fixed, {constant(1.001), constant(0)}, "there"}}}),
+        {"'a.bottom'", "'a.left'", "(0, 0)", "contradict"}}},
+      {"fixed and sliding",
+       {scene_with({{"a.bottom", fixed_here}, {"a.right", {ConditionKind::sliding, {constant(-1)}, "there"}}}),
+        {"'a.bottom'", "'a.right'", "(1, 0)"}}},
+      {"not finite",
+       {scene_with({{"a.bottom", {ConditionKind::pressure, {root}, "here"}}}), {"here:", "(", "not finite"}}},
+      {"not finite, fixed",
+       {scene_with({{"a.bottom", {ConditionKind::sliding, {root}, "here"}}}), {"here:", "not finite"}}},
+      {"gap not finite", {odd_gap, {"here:", "not finite"}}},
+  };
+  for (const auto& [name, bad] : cases) {
+    const auto error = error_of([&] { fixed(bad.scene); });
+    ASSERT_TRUE(error.has_value()) << name;
+    EXPECT_EQ(error->status(), Status::input) << name;
+    for (const std::string& part : bad.named) {
+      EXPECT_NE(std::string(error->what()).find(part), std::string::npos) << name << ": " << error->what();
+    }
+  }
+}
+
+// Two collinear sliding parts meet at a vertex: there they prescribe the same component.
+TEST(Data, CollinearSlidingPartsMustAgree) {
+  const Folder folder;
+  GmshContent content = two_squares();
+  content.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
+  content.triangles = {{1, {0, 1, 3}}, {1, {1, 2, 3}}};
+  content.lines = {{5, {0, 1}}, {6, {1, 2}}};
+  Scene<2> scene;
+  scene.mesh_file = folder.write("a.msh", gmsh_2(content));
+  scene.bodies = {{"lower", isotropic<2>(1, 0, false)}};
+  scene.boundary = {{"base", {ConditionKind::sliding, {constant(0.5)}, "one"}},
+                    {"joint below", {ConditionKind::sliding, {constant(0.5 * (1 + 1e-11))}, "other"}}};
+  const Problem<2> problem = fixed(scene);
+  EXPECT_EQ(problem.facets[facet_at(problem.mesh, "joint below", {1.5, 0})].normal_displacement[0], 0.5);
+  scene.boundary.at("base").value[0] = constant(0.51);
+  const auto error = error_of([&] { fixed(scene); });
+  ASSERT_TRUE(error.has_value());
+  EXPECT_NE(std::string(error->what()).find("(1, 0)"), std::string::npos) << error->what();
+}
+
+}  // namespace
+}  // namespace bracket::scene
