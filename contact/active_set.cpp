@@ -9,6 +9,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Whether no pivot of a Cholesky factor is lost: its square is no rounding of the diagonal entry it came from.
+bool regular(const VectorXd& pivots, const VectorXd& diagonal) {
+  return (pivots.array().square() > 1e-12 * diagonal.array()).all();
+}
+
+}  // namespace
+
 Scaled scaled(const Interface& problem) {
   // A row that touches pinned unknowns only has no compliance of its own.
   const VectorXd diagonal = problem.compliance.diagonal();
@@ -31,37 +40,48 @@ Scaled scaled(const Interface& problem) {
   return result;
 }
 
-VectorXd slack_rounding(const Interface& problem, const VectorXd& pressure, const VectorXd& motion) {
-  return 1e-13 * (problem.compliance.cwiseAbs() * pressure.cwiseAbs() + problem.size +
-                  problem.motion.cwiseAbs() * motion.cwiseAbs());
+VectorXd slack(const Interface& problem, const VectorXd& pressure, const VectorXd& motion) {
+  return problem.compliance * pressure - problem.overlap - problem.motion * motion;
+}
+
+VectorXd slack_rounding(const Interface& problem, const Equality& minimum) {
+  return 1e-13 * (problem.compliance.cwiseAbs() * minimum.pressure_size + problem.size +
+                  problem.motion.cwiseAbs() * minimum.motion_size);
+}
+
+std::optional<Motion> resisted_motion(const MatrixXd& left, const VectorXd& right, const VectorXd& load) {
+  const Index k = load.size();
+  if (k == 0) return Motion{load, load};
+  const MatrixXd schur = left.transpose() * left;
+  const Eigen::LLT<MatrixXd> factor(schur);
+  if (!regular(factor.matrixLLT().diagonal(), schur.diagonal()) || factor.info() != Eigen::Success) return {};
+  const VectorXd size = load.cwiseAbs() + left.cwiseAbs().transpose() * right.cwiseAbs();
+  return Motion{factor.solve(load - left.transpose() * right),
+                factor.solve(MatrixXd::Identity(k, k)).cwiseAbs() * size};
 }
 
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Index>& active,
                                      const VectorXd& overlap, const VectorXd& load) {
-  constexpr double singular = 1e-12;  // a pivot by its diagonal entry
-  if (active.empty()) return load.size() == 0 ? std::optional(Equality{}) : std::nullopt;
+  const VectorXd none = VectorXd::Zero(overlap.size());
+  if (active.empty()) return load.size() == 0 ? std::optional(Equality{none, load, none, load}) : std::nullopt;
   // G Gᵀ makes F definite and adds nothing but G e where Gᵀp = e.
   const MatrixXd motion = problem.motion(active, Eigen::all);
   MatrixXd definite = problem.compliance(active, active);
   definite += motion * motion.transpose();
   const VectorXd diagonal = definite.diagonal();
   const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(definite);
-  if (factor.info() != Eigen::Success) return {};
-  if ((definite.diagonal().array().square() <= singular * diagonal.array()).any()) return {};
+  if (factor.info() != Eigen::Success || !regular(definite.diagonal(), diagonal)) return {};
 
   const auto lower = definite.triangularView<Eigen::Lower>();
-  // Eigen divides by zero on a solve without right-hand sides.
-  const MatrixXd left = motion.cols() > 0 ? MatrixXd(lower.solve(motion)) : motion;
+  const MatrixXd left = motion.size() > 0 ? MatrixXd(lower.solve(motion)) : motion;
   const VectorXd right = lower.solve(VectorXd(overlap(active) + motion * load));
-  MatrixXd schur = left.transpose() * left;
-  const VectorXd schur_diagonal = schur.diagonal();
-  const Eigen::LLT<MatrixXd> schur_factor(schur);
-  if (schur_factor.info() != Eigen::Success) return {};
-  if ((schur_factor.matrixLLT().diagonal().array().square() <= singular * schur_diagonal.array()).any()) return {};
-
-  Equality result;
-  result.motion = schur_factor.solve(load - left.transpose() * right);
-  result.pressure = definite.transpose().triangularView<Eigen::Upper>().solve(right + left * result.motion);
+  const auto alpha = resisted_motion(left, right, load);
+  if (!alpha) return {};
+  const auto upper = definite.transpose().triangularView<Eigen::Upper>();
+  const VectorXd by_overlap = upper.solve(right), by_motion = upper.solve(VectorXd(left * alpha->value));
+  Equality result{none, alpha->value, none, alpha->size};
+  result.pressure(active) = by_overlap + by_motion;
+  result.pressure_size(active) = by_overlap.cwiseAbs() + by_motion.cwiseAbs();
   return result;
 }
 
@@ -75,13 +95,11 @@ std::optional<Pressure> block_active_set(const Interface& problem, std::vector<c
       if (guess[i]) active.push_back(i);
     const auto closed = solve_closed(problem, active, problem.overlap, problem.load);
     if (!closed) return {};
-    VectorXd pressure = VectorXd::Zero(m);
-    pressure(active) = closed->pressure;
-    const VectorXd slack = problem.compliance * pressure - problem.overlap - problem.motion * closed->motion;
-    const VectorXd rounding = slack_rounding(problem, pressure, closed->motion);
-    std::vector<char> next(m);
-    for (Index i = 0; i < m; ++i) next[i] = guess[i] ? pressure[i] > 0 : slack[i] < -rounding[i];
-    if (next == guess) return Pressure{Outcome::solved, pressure, closed->motion, active, iteration};
+    const VectorXd left = slack(problem, closed->pressure, closed->motion);
+    const VectorXd rounding = slack_rounding(problem, *closed);
+    std::vector<char> next(static_cast<std::size_t>(m));
+    for (Index i = 0; i < m; ++i) next[i] = guess[i] ? closed->pressure[i] > 0 : left[i] < -rounding[i];
+    if (next == guess) return Pressure{Outcome::solved, closed->pressure, closed->motion, active, iteration};
     guess = std::move(next);
   }
   return {};

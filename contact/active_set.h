@@ -33,13 +33,31 @@ struct Scaled {
 };
 Scaled scaled(const Interface& problem);
 
-/// Minimum over p with p = 0 off `active`, Gᵀp = e, of whatever sign: closed rows  (F p − G α)_A = w_A.
-/// \return p on `active` and α; nothing where rows of `active` depend on each other or do not resist all motions
+/// The minimum over p with p = 0 off `active` and Gᵀp = e, of whatever sign: there (F p − G α)_A = w_A.
 struct Equality {
-  Eigen::VectorXd pressure, motion;
+  Eigen::VectorXd pressure;       ///< p, m
+  Eigen::VectorXd motion;         ///< α, k
+  Eigen::VectorXd pressure_size;  ///< what these are sums of, absolute; so their rounding is known: it shows where bodies
+  Eigen::VectorXd motion_size;    ///< are stiff and gaps wide, or a pressure is zero
 };
+
+/// α of that minimum, and what it is a sum of, from a Cholesky factor L of (F + G Gᵀ)_AA.
+/// \param left L⁻¹ G_A   \param right L⁻¹ (w_A + G_A e)   \return nothing where the rows do not resist all motions
+struct Motion {
+  Eigen::VectorXd value, size;
+};
+std::optional<Motion> resisted_motion(const Eigen::MatrixXd& left, const Eigen::VectorXd& right,
+                                      const Eigen::VectorXd& load);
+
+/// \param overlap, load taken for w, e   \return nothing where rows of `active` depend on each other or do not resist
+///        all motions
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Eigen::Index>& active,
                                      const Eigen::VectorXd& overlap, const Eigen::VectorXd& load);
+
+/// F p − w − G α
+Eigen::VectorXd slack(const Interface& problem, const Eigen::VectorXd& pressure, const Eigen::VectorXd& motion);
+/// How far below zero each slack has to be to count as violated: what rounding may do to it.
+Eigen::VectorXd slack_rounding(const Interface& problem, const Equality& minimum);
 
 /// Changes the active set in blocks until it repeats: few steps, but it may fail.
 /// \param problem scaled   \param guess rows to start from
@@ -48,9 +66,5 @@ std::optional<Pressure> block_active_set(const Interface& problem, std::vector<c
 /// Descends from a feasible p, one row at a time; always ends.
 /// \param problem scaled   \param start p ≥ 0, Gᵀp = e, with linearly independent rows of G where p > 0
 Pressure primal_active_set(const Interface& problem, const Eigen::VectorXd& start);
-
-/// How far below zero a slack has to be to count as violated, for each row: what rounding may do to it.
-Eigen::VectorXd slack_rounding(const Interface& problem, const Eigen::VectorXd& pressure,
-                               const Eigen::VectorXd& motion);
 
 }  // namespace bracket::contact

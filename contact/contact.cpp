@@ -141,7 +141,7 @@ State refined(const std::vector<Body>& bodies, const std::vector<Condensed>& con
                                      transposed.triangularView<Eigen::Lower>().solve(
                                          statics.load - statics.rows.transpose() * state.pressure));
     if (closed) {
-      change(active) = closed->pressure.cwiseProduct(interface.row(active));
+      change = closed->pressure.cwiseProduct(interface.row);
       state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
     }
   }

@@ -6,12 +6,12 @@
 namespace bracket::contact {
 
 Eigen::MatrixXd GrowingCholesky::forward(const Eigen::MatrixXd& b) const {
-  if (size_ == 0) return b;
+  if (b.size() == 0) return b;
   return storage_.topLeftCorner(size_, size_).triangularView<Eigen::Lower>().solve(b);
 }
 
 Eigen::VectorXd GrowingCholesky::backward(const Eigen::VectorXd& b) const {
-  if (size_ == 0) return b;
+  if (b.size() == 0) return b;
   return storage_.topLeftCorner(size_, size_).transpose().triangularView<Eigen::Upper>().solve(b);
 }
 

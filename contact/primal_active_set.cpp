@@ -12,6 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0; }
+
 /// The working set W: rows where p may be positive. Always G_W has full column rank and H_WW = (F + G Gᵀ)_WW is
 /// definite, so the minimum over W of ½ pᵀF p − pᵀw with Gᵀp = e, and its α, are unique.
 class WorkingSet {
@@ -31,15 +33,17 @@ class WorkingSet {
     rows_.erase(place);
   }
 
-  /// p (m, zero off W) and α of the minimum over W.
   Equality minimum() const {
     const MatrixXd motion = problem_.motion(rows_, Eigen::all);
     const MatrixXd left = cholesky_.forward(motion);
     const VectorXd right = cholesky_.forward(problem_.overlap(rows_) + motion * problem_.load);
-    const Eigen::LLT<MatrixXd> schur(left.transpose() * left);
-    if (schur.info() != Eigen::Success) throw std::runtime_error("contact: a rigid motion is held by rounding only");
-    Equality result{VectorXd::Zero(problem_.overlap.size()), schur.solve(problem_.load - left.transpose() * right)};
-    result.pressure(rows_) = cholesky_.backward(right + left * result.motion);
+    const auto alpha = resisted_motion(left, right, problem_.load);
+    if (!alpha) throw std::runtime_error("contact: a rigid motion is held by rounding only");
+    const VectorXd by_overlap = cholesky_.backward(right), by_motion = cholesky_.backward(left * alpha->value);
+    const VectorXd none = VectorXd::Zero(problem_.overlap.size());
+    Equality result{none, alpha->value, none, alpha->size};
+    result.pressure(rows_) = by_overlap + by_motion;
+    result.pressure_size(rows_) = by_overlap.cwiseAbs() + by_motion.cwiseAbs();
     return result;
   }
   /// d (m) with d_row = 1, zero off W and `row`, and F d = 0, Gᵀd = 0. \pre append(row) returned false
@@ -100,8 +104,6 @@ Stop first_stop(const VectorXd& pressure, const VectorXd& direction, std::vector
   return stop;
 }
 
-double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNorm<Eigen::Infinity>() : 0; }
-
 /// The rows of `set` where `values` are below a bound.
 std::vector<Index> below(const VectorXd& values, double bound, const std::vector<Index>& set) {
   std::vector<Index> result;
@@ -135,7 +137,6 @@ Index violated(const VectorXd& slack, const VectorXd& rounding, const std::vecto
 //   the direction along which it leaves (d_t < 0, d_i ≥ 0 for such i < t), cᵀd < 0. As Gᵀd = 0, cᵀd = sᵀd > 0. So no.
 // In rounding, a row that leaves without having moved has entered by rounding: it waits until something moves.
 Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
-  constexpr double nothing = 1e-13;  // pressure, by the largest, that is rounding
   const Index m = problem.overlap.size();
   const Index most = 100 * (m + 10);
   WorkingSet set = first_working_set(problem, start);
@@ -143,8 +144,8 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
   Index entering = -1;
   bool moved = true;
   std::vector<char> waits(m, 0);
-  const auto move = [&](const VectorXd& change) {
-    if (largest(change) > nothing * largest(pressure)) {
+  const auto move = [&](const VectorXd& change, double rounding) {
+    if (largest(change) > rounding) {
       moved = true;
       std::fill(waits.begin(), waits.end(), 0);
     }
@@ -158,21 +159,21 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
 
   for (int iteration = 1; iteration <= most; ++iteration) {
     const Equality minimum = set.minimum();
+    const double rounding = 1e-13 * largest(minimum.pressure_size);
     const VectorXd direction = minimum.pressure - pressure;
-    const auto negative = below(minimum.pressure, -nothing * largest(minimum.pressure), set.rows());
+    const auto negative = below(minimum.pressure, -rounding, set.rows());
     if (!negative.empty()) {
       const Stop stop = first_stop(pressure, direction, negative);
-      move(stop.step * direction);
+      move(stop.step * direction, rounding);
       leave(stop.row);
       continue;
     }
-    move(direction);
+    move(direction, rounding);
     pressure = minimum.pressure.cwiseMax(0);
 
-    const VectorXd slack = problem.compliance * pressure - problem.overlap - problem.motion * minimum.motion;
     std::vector<char> barred = waits;
     for (Index i : set.rows()) barred[i] = 1;
-    entering = violated(slack, slack_rounding(problem, pressure, minimum.motion), barred, !moved);
+    entering = violated(slack(problem, pressure, minimum.motion), slack_rounding(problem, minimum), barred, !moved);
     moved = false;
     if (entering < 0) return {Outcome::solved, pressure, minimum.motion, set.rows(), iteration};
     if (set.append(entering)) continue;
@@ -181,7 +182,7 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
     const auto falling = below(flat, -1e-7 * largest(flat), set.rows());
     if (falling.empty()) return {Outcome::contradiction, {}, {}, {}, iteration};
     const Stop stop = first_stop(pressure, flat, falling);
-    move(stop.step * flat);
+    move(stop.step * flat, rounding);
     leave(stop.row);
     if (!set.append(entering)) throw std::runtime_error("contact: the rows depend on each other within rounding");
   }

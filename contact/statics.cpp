@@ -29,7 +29,8 @@ std::pair<MatrixXd, MatrixXd> split(const MatrixXd& rows) {
   if (rows.rows() == 0 || k == 0) return {MatrixXd(k, 0), MatrixXd::Identity(k, k)};
   const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
   const VectorXd& singular = svd.singularValues();
-  const Index rank = (singular.array() > rounding * singular[0]).count();
+  // Rows and motions are of size one each: what is left at rounding level resists nothing.
+  const Index rank = (singular.array() > rounding * std::max(singular[0], 1.0)).count();
   return {svd.matrixV().leftCols(rank), svd.matrixV().rightCols(k - rank)};
 }
 

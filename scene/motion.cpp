@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "scene/scene.h"
 
 namespace bracket::scene {
@@ -47,18 +49,20 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
   for (int m = 0; m < 3; ++m) {
     const double singular = m < svd.singularValues().size() ? svd.singularValues()[m] : 0;
     if (singular > negligible * svd.singularValues()[0]) continue;
-    const Eigen::Vector3d y = svd.matrixV().col(m);
+    const Eigen::Vector3d column = svd.matrixV().col(m);
+    const Eigen::Vector3d y = (column.array().abs() < negligible).select(0, column);  // a pure translation stays pure
     free.push_back({Vector<dim>(y[0], y[1]), y[2] / radius, centre});
   }
   return free;
 }
 
 template <int dim> std::string describe(const RigidMotion<dim>& motion) {
-  if (motion.rotation == 0) return fmt::format("moving it by ({:.3g}, {:.3g})", motion.translation[0], motion.translation[1]);
+  if (motion.rotation == 0)
+    return fmt::format("moving it by ({:.3g}, {:.3g})", motion.translation[0], motion.translation[1]);
   // A translation with a rotation is a rotation about another point.
   const Vector<dim> pole = motion.centre + Vector<dim>(-motion.translation[1], motion.translation[0]) / motion.rotation;
-  return fmt::format("turning it {} about ({:.3g}, {:.3g})", motion.rotation > 0 ? "counter-clockwise" : "clockwise", pole[0],
-                     pole[1]);
+  return fmt::format("turning it {} about ({:.3g}, {:.3g})", motion.rotation > 0 ? "counter-clockwise" : "clockwise",
+                     pole[0], pole[1]);
 }
 
 template struct RigidMotion<2>;

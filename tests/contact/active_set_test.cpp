@@ -49,6 +49,7 @@ std::optional<double> brute_force(const Interface& problem) {
 /// p ≥ 0, Gᵀp = e, slacks ≥ 0, zero where p > 0: sufficient for the minimum, since it is convex.
 void expect_optimal(const Interface& problem, const Pressure& found) {
   ASSERT_EQ(found.outcome, Outcome::solved);
+  ASSERT_EQ(found.pressure.size(), problem.overlap.size());
   const VectorXd& p = found.pressure;
   const VectorXd terms = problem.compliance.cwiseAbs() * p + problem.size + problem.overlap.cwiseAbs() +
                          problem.motion.cwiseAbs() * found.motion.cwiseAbs();
@@ -120,10 +121,12 @@ TEST(ActiveSet, RowsThatDependOnEachOther) {
     const MatrixXd rows = MatrixXd::NullaryExpr(m, n, integer);
     MatrixXd motion = MatrixXd::NullaryExpr(m, k, integer);
     if (k > 0 && motion.norm() == 0) motion(0, 0) = 1;
-    VectorXd gap = rows * VectorXd::NullaryExpr(n, integer) + motion * VectorXd::NullaryExpr(k, integer);
-    for (double& g : gap) g += static_cast<double>(random() % 2);
-    const VectorXd overlap = rows * VectorXd::NullaryExpr(n, integer) * 2 - gap;
-    const VectorXd load = motion.transpose() * VectorXd::NullaryExpr(m, [&] { return std::abs(integer()); });
+    const VectorXd possible = VectorXd::NullaryExpr(n, integer), moved = VectorXd::NullaryExpr(k, integer);
+    const VectorXd left = VectorXd::NullaryExpr(m, [&] { return static_cast<double>(random() % 2); });
+    const VectorXd gap = rows * possible + motion * moved + left;
+    const VectorXd unhindered = VectorXd::NullaryExpr(n, integer), pressure = VectorXd::NullaryExpr(m, integer);
+    const VectorXd overlap = 2 * rows * unhindered - gap;
+    const VectorXd load = motion.transpose() * pressure.cwiseAbs();
     const Interface problem = scaled({rows * rows.transpose(), overlap, overlap.cwiseAbs(), motion, load}).problem;
     const auto least = brute_force(problem);
     ASSERT_TRUE(least);

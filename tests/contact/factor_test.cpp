@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <thread>
 
 namespace bracket::contact {
 namespace {
@@ -37,6 +38,27 @@ TEST(Order, IsAPermutationWithTheLastOnesLast) {
     const std::vector<int> sequence = order(matrix, pairs(2 * n_nodes), last);
     EXPECT_EQ(std::set<int>(sequence.begin(), sequence.end()).size(), static_cast<std::size_t>(2 * n_nodes));
     EXPECT_EQ(std::vector<int>(sequence.end() - static_cast<std::ptrdiff_t>(last.size()), sequence.end()), last);
+  }
+}
+
+// METIS draws from the process's random numbers; two bodies may be ordered at once.
+TEST(Order, IsTheSameInTwoThreads) {
+  constexpr int side = 100;
+  std::vector<int> cells;
+  for (int i = 0; i + 1 < side; ++i)
+    for (int j = 0; j + 1 < side; ++j)
+      for (int node : {i * side + j, i * side + j + 1, (i + 1) * side + j, (i + 1) * side + j + 1}) cells.push_back(node);
+  const std::vector<int> nodes = pairs(2 * side * side);
+  const Sparse matrix = Assembly(nodes, cells, 4).take();
+  const std::vector<int> alone = order(matrix, nodes, {});
+  for (int trial = 0; trial < 5; ++trial) {
+    std::vector<int> one, two;
+    std::thread first([&] { one = order(matrix, nodes, {}); });
+    std::thread second([&] { two = order(matrix, nodes, {}); });
+    first.join();
+    second.join();
+    EXPECT_EQ(one, alone);
+    EXPECT_EQ(two, alone);
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <thread>
-
 namespace bracket::contact {
 namespace {
 
@@ -170,23 +168,6 @@ TEST(SolveUgly, FarFromTheOrigin) {
   ASSERT_EQ(other.outcome, Outcome::solved);
   // The coordinates themselves have lost four digits.
   EXPECT_NEAR((one.pressure - other.pressure).norm(), 0, 1e4 * rounding * one.pressure.norm());
-}
-
-TEST(SolveUgly, TwoThreadsGiveTheSameBits) {
-  std::mt19937 random(39);
-  const Truss truss = random_truss(300, random);
-  MatrixXd rows = MatrixXd::Zero(50, 600);
-  for (Index i = 0; i < 50; ++i) bind(rows, i, 2 * i, {0, 1});
-  const std::vector<Body> bodies{supported(truss, random_vector(600, random), rows)};
-  const VectorXd gap = VectorXd::Zero(50);
-  const Solution alone = solve(bodies, gap);
-  Solution one, two;
-  std::thread first([&] { one = solve(bodies, gap); });
-  std::thread second([&] { two = solve(bodies, gap); });
-  first.join();
-  second.join();
-  EXPECT_EQ(one.displacement[0], alone.displacement[0]);
-  EXPECT_EQ(two.displacement[0], alone.displacement[0]);
 }
 
 }  // namespace

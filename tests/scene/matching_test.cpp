@@ -150,6 +150,8 @@ TEST(Matching, SidesThatDoNotMatchAreRefused) {
   other = scene;
   other.blocks[1].range[1] = {1.1, 2};  // apart; a gap is written as gap
   expect_unmatched(other, {"0 of 4"});
+  other.blocks[1].range[1] = {1 + 1e-7, 2};  // much more than rounding
+  expect_unmatched(other, {"0 of 4"});
   other = scene;
   other.blocks[1].range[0] = {0, 1.25};  // the second side goes on
   other.blocks[1].cells = {5, 4};
@@ -161,6 +163,21 @@ TEST(Matching, SidesThatDoNotMatchAreRefused) {
   other.blocks[1].range[1] = {0, 1};  // on top of each other: the sides coincide but run the same way
   other.contact[0].second = "b.top";
   expect_unmatched(other, {"0 of 4"});
+}
+
+// A facet has one counterpart: two bodies in one place cannot share the other side.
+TEST(Matching, NoFacetIsMatchedTwice) {
+  const Folder folder;
+  GmshContent content = two_squares();
+  for (int i = 0; i < 4; ++i) content.nodes.push_back(content.nodes[i]);
+  content.triangles.push_back({3, {8, 9, 10}});
+  content.triangles.push_back({3, {8, 10, 11}});
+  content.lines.push_back({6, {10, 11}});
+  Scene<2> scene;
+  scene.mesh_file = folder.write("a.msh", gmsh_2(content));
+  for (const char* body : {"lower", "upper", "3"}) scene.bodies[body] = isotropic<2>(1, 0, false);
+  scene.contact = {{"joint below", "joint above", constant(0), "here"}};
+  expect_unmatched(scene, {"1 of 2", "1 of 1", "'joint below'"});
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "tests/compare/admissible.h"
+
+namespace bracket::tests {
+namespace {
+
+std::vector<std::filesystem::path> scene_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(BRACKET_SCENES))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class EveryScene : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(EveryScene, bounds_hold_with_both_degrees) {
+  std::array<bounds::Bracket, 2> brackets;
+  for (const int degree : {1, 2}) {
+    const auto scene = scene::read_scene<2>(GetParam(), {"solve.degree=" + std::to_string(degree)});
+    const auto outcome = bounds::run(scene);
+    EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason;
+    expect_admissible(outcome);
+    brackets[degree - 1] = outcome.levels.back().bracket;
+  }
+  // One dual problem, and nested displacement spaces: quadratics are never above linears.
+  const double scale = std::max(std::abs(brackets[0].upper), std::abs(brackets[0].lower));
+  EXPECT_NEAR(brackets[0].lower, brackets[1].lower, 1e-13 * scale);
+  EXPECT_LE(brackets[1].upper, brackets[0].upper + 1e-13 * scale);
+}
+
+TEST_P(EveryScene, displacements_close_the_gap_where_stresses_press) {
+  const auto outcome = bounds::run(scene::read_scene<2>(GetParam()));
+  const auto& problem = outcome.problem;
+  if (problem.contact.empty()) GTEST_SKIP() << "no contact";
+  // Where the stresses press, the displacements leave no gap: ∫ p (g − r) is part of the width, each facet's share ≥ 0.
+  const auto& bracket = outcome.levels.back().bracket;
+  const double rounding = 1e-13 * std::max(std::abs(bracket.lower), std::abs(bracket.upper));
+  double contact = 0;
+  for (const double share : outcome.indicator.contact) {
+    EXPECT_GE(share, -rounding);
+    contact += share;
+  }
+  EXPECT_LE(contact, outcome.indicator.sum + rounding);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(scene_files()),
+                         [](const auto& file) { return file.param.stem().string(); });
+
+}  // namespace
+}  // namespace bracket::tests
