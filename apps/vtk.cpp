@@ -9,8 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "apps/fields.h"
-
 namespace bracket::apps {
 namespace {
 
@@ -110,6 +108,16 @@ void append(std::vector<double>& points, const scene::Vector<2>& point) {
   points.insert(points.end(), {point.x(), point.y(), 0.0});
 }
 
+/// The shape functions of the quadratics are −1/9 at the vertices' nodes there, 4/9 at those of the edges.
+scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell) {
+  scene::Vector<2> vertices = scene::Vector<2>::Zero(), edges = vertices;
+  for (int k = 0; k < 3; ++k) {
+    vertices += displacement.vertex[mesh.cells[cell][k]];
+    if (displacement.degree == 2) edges += displacement.edge[mesh.cell_edges[cell][k]];
+  }
+  return displacement.degree == 2 ? scene::Vector<2>((4 * edges - vertices) / 9) : scene::Vector<2>(vertices / 3);
+}
+
 }  // namespace
 
 std::string solution_vtu(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
@@ -121,23 +129,25 @@ std::string solution_vtu(const scene::Problem<2>& problem, const primal::Displac
   grid.points.reserve(27 * mesh.cells.size());
   for (auto* each : {&displacements, &of_displacement, &equilibrated}) each->reserve(27 * mesh.cells.size());
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    // The vertices and, last, the centroid.
-    std::array<scene::Vector<2>, 4> point;
-    std::array<Sample<2>, 4> field;
-    for (int corner = 0; corner < 4; ++corner) {
-      scene::Vector<3> at = scene::Vector<3>::Constant(1. / 3);
-      if (corner < 3) at = scene::Vector<3>::Unit(corner);
-      point[corner].setZero();
-      for (int k = 0; k < 3; ++k) point[corner] += at[k] * mesh.vertices[mesh.cells[cell][k]];
-      field[corner] = sample(problem, displacement, cell, at);
+    // The vertices and, last, the centroid, where linear fields have the mean of the vertices.
+    const auto of_vertices = bounds::displacement_stress(problem, displacement, cell);
+    std::array<scene::Vector<2>, 4> point, moved;
+    std::array<scene::Voigt<2>, 4> sigma;
+    for (int k = 0; k < 3; ++k) {
+      point[k] = mesh.vertices[mesh.cells[cell][k]];
+      moved[k] = displacement.vertex[mesh.cells[cell][k]];
+      sigma[k] = of_vertices[k];
     }
+    point[3] = (point[0] + point[1] + point[2]) / 3;
+    sigma[3] = (sigma[0] + sigma[1] + sigma[2]) / 3;
+    moved[3] = at_centroid(mesh, displacement, cell);
     for (int part = 0; part < 3; ++part) {
       const std::array<int, 3> corners = {(part + 1) % 3, (part + 2) % 3, 3};
       for (int i = 0; i < 3; ++i) {
-        const Sample<2>& here = field[corners[i]];
-        append(grid.points, point[corners[i]]);
-        append(displacements, {here.displacement.x(), here.displacement.y(), 0.0});
-        append(of_displacement, here.stress);
+        const int corner = corners[i];
+        append(grid.points, point[corner]);
+        append(displacements, {moved[corner].x(), moved[corner].y(), 0.0});
+        append(of_displacement, sigma[corner]);
         append(equilibrated, stress.cell[cell][3 * part + i]);
       }
       body.push_back(mesh.cell_body[cell]);

@@ -33,7 +33,6 @@ void GrowingCholesky::remove(Eigen::Index place) {
     Eigen::JacobiRotation<double> rotation;
     rotation.makeGivens(storage_(j, j), storage_(j, j + 1));
     storage_.middleRows(j, size_ - j).applyOnTheRight(j, j + 1, rotation);
-    if (storage_(j, j) < 0) storage_.col(j).segment(j, size_ - j) *= -1;
   }
 }
 

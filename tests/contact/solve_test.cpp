@@ -190,6 +190,20 @@ TEST(Solve, ImbalanceOfRoundingIsRemovedAndReported) {
   EXPECT_LT(solution.imbalance, 1e-12);
 }
 
+// What lifts the square is rounding beside the loads that it carries in itself: no p ≥ 0 balances it exactly.
+TEST(Solve, LiftOfRoundingIsRemovedAndReported) {
+  VectorXd load = VectorXd::Zero(8);
+  load[4] = 1;
+  load[6] = -1;
+  load[5] = load[7] = 1e-13;
+  const auto bodies = tower({1, 1, 1}, load);
+  const Solution solution = solve(bodies, VectorXd::Zero(6));
+  ASSERT_EQ(solution.outcome, Outcome::solved);
+  EXPECT_GT(solution.imbalance, 1e-14);
+  EXPECT_LT(solution.imbalance, 1e-12);
+  EXPECT_LE(solution.pressure.maxCoeff(), 1e-12);
+}
+
 // A very stiff square on a soft one moves by the soft one's displacement; what strains it is 1e12 times less.
 TEST(Solve, ElasticPartIsFreeOfTheRoundingOfALargeMotion) {
   VectorXd load = VectorXd::Zero(8);
