@@ -7,8 +7,6 @@
 #include <cholmod.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 extern "C" void openblas_set_num_threads(int count);
@@ -99,8 +97,8 @@ bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
     throw std::runtime_error("no factorisation: out of memory");
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
-  // A singular matrix need not give a pivot ≤ 0: in rounding, the sum of n random errors remains.
-  const double lost = 4 * std::sqrt(static_cast<double>(factor.n)) * std::numeric_limits<double>::epsilon();
+  // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
+  constexpr double lost = 0;
   const Eigen::VectorXd diagonal = stiffness.diagonal();
   const int* const unknown = static_cast<const int*>(factor.Perm);
   const Supernodes nodes(factor);

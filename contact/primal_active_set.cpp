@@ -46,6 +46,17 @@ class WorkingSet {
     result.pressure_size(rows_) = by_overlap.cwiseAbs() + by_motion.cwiseAbs();
     return result;
   }
+  /// Rows of W whose pressure Gᵀp = e alone decides: without one of them G_W would lose rank.
+  std::vector<Index> fixed() const {
+    const Index k = problem_.motion.cols();
+    std::vector<Index> result;
+    if (k == 0) return result;
+    const MatrixXd motion = problem_.motion(rows_, Eigen::all).rowwise().normalized();
+    const MatrixXd range = motion.householderQr().householderQ() * MatrixXd::Identity(motion.rows(), k);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (range.row(static_cast<Index>(i)).squaredNorm() > 1 - 1e-12) result.push_back(rows_[i]);
+    return result;
+  }
   /// d (m) with d_row = 1, zero off W and `row`, and F d = 0, Gᵀd = 0. \pre append(row) returned false
   VectorXd flat_direction(Index row) const {
     VectorXd direction = VectorXd::Zero(problem_.overlap.size());
@@ -161,7 +172,9 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
     const Equality minimum = set.minimum();
     const double rounding = 1e-13 * largest(minimum.pressure_size);
     const VectorXd direction = minimum.pressure - pressure;
-    const auto negative = below(minimum.pressure, -rounding, set.rows());
+    auto negative = below(minimum.pressure, -rounding, set.rows());
+    if (!negative.empty())  // a pressure that the statics fix is negative by rounding only
+      for (Index i : set.fixed()) std::erase(negative, i);
     if (!negative.empty()) {
       const Stop stop = first_stop(pressure, direction, negative);
       move(stop.step * direction, rounding);

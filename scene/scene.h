@@ -131,6 +131,7 @@ template <int dim> struct Mesh {
   std::vector<std::string> bodies;              ///< names
   std::vector<std::array<int, 2>> edges;        ///< vertices, the lower index first
   std::vector<std::array<int, 3>> cell_edges;   ///< edge k lies opposite to vertex k: from vertex k+1 to k+2 (mod 3)
+  std::vector<char> refinement_edge;            ///< of each cell: the edge (0, 1 or 2) that bisection cuts first
 
   struct Facet {
     std::array<int, dim> vertices;  ///< in the order in which its cell is walked counter-clockwise: the body is left
@@ -214,6 +215,25 @@ template <int dim> struct Problem {
 /// \throw Error (input: unknown names, two conditions on one part, values that are not finite, prescribed
 ///        displacements that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
+
+// ---- refinement -----------------------------------------------------------------------------------------------------
+
+/// A problem on a refined mesh, and where its pieces come from.
+template <int dim> struct Refined {
+  Problem<dim> problem;
+  std::vector<int> cell_parent;     ///< of each cell: index into the old Mesh::cells
+  std::vector<int> contact_parent;  ///< of each contact facet: index into the old Problem::contact
+};
+
+/// Newest-vertex bisection: all three edges of a marked cell are halved (it falls into four), and of others as many as
+/// keep the mesh conforming and the two sides of each contact matched. A cell is cut from the midpoint of its refinement
+/// edge, which in a child is the edge opposite to that midpoint, so that the descendants of one coarse cell have at most
+/// four shapes. The problem stays the same: bodies, names and data are inherited, linear data at midpoints being the
+/// means of the ends and gaps quadratic as before. Children follow one another in the order of their parents; vertices
+/// keep their numbers. Linear in the number of cells.
+/// \pre `marked` has an entry for each cell
+/// \throw Error (budget) where cells have become so small that rounding of coordinates spoils their shape
+template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked);
 
 // ---- rigid motions --------------------------------------------------------------------------------------------------
 

@@ -120,6 +120,21 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   return mesh;
 }
 
+/// Bisection cuts the longest edge of each coarse cell first: the shapes of its descendants are then the best. Among
+/// equals, the one with the lowest number, so that neighbours agree.
+std::vector<char> longest_edges(const Mesh<2>& mesh) {
+  std::vector<char> longest;
+  longest.reserve(mesh.cells.size());
+  for (const auto& edges : mesh.cell_edges) {
+    const auto rank = [&](int edge) {
+      const auto& [a, b] = mesh.edges[edge];
+      return std::pair((mesh.vertices[b] - mesh.vertices[a]).squaredNorm(), -edge);
+    };
+    longest.push_back(static_cast<char>(std::ranges::max_element(edges, {}, rank) - edges.begin()));
+  }
+  return longest;
+}
+
 /// Each body must hang together through edges, and not by a point only.
 void check_connected(const Mesh<2>& mesh, const std::string& where) {
   std::vector<int> parent(mesh.cells.size());
@@ -188,6 +203,7 @@ Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, con
   mesh = turned(std::move(mesh), where);
   check_bodies_apart(mesh, where);
   mesh = with_edges(std::move(mesh), where);
+  mesh.refinement_edge = longest_edges(mesh);
   check_connected(mesh, where);
   return with_parts(std::move(mesh), part_edges, where);
 }

@@ -153,6 +153,18 @@ TEST(ActiveSet, LoadExactlyAboveOneRow) {
     }
 }
 
+// The same with compliances of any kind: rounding must not take out a row that the statics need.
+TEST(ActiveSet, DegenerateStatics) {
+  std::mt19937 random(17);
+  for (int trial = 0; trial < 600; ++trial) {
+    const Index m = 8 + static_cast<Index>(random() % 8), k = 2 + static_cast<Index>(random() % 2);
+    Interface problem = random_interface(m, m + 8, k, random);
+    problem.load = problem.motion.row(static_cast<Index>(random() % m)).transpose();
+    const Scaled to = scaled(problem);
+    expect_optimal(to.problem, descend(to.problem));
+  }
+}
+
 TEST(ActiveSet, ContradictionIsFoundAndOnlyThat) {
   // One unknown between two walls: u ≤ g1, −u ≤ g2.
   MatrixXd rows(2, 1);

@@ -97,7 +97,10 @@ TEST(Factor, RefusesWhatIsNotDefinite) {
     const double unit = std::pow(1e12, trial % 3 - 1);
     const MatrixXd stiffness = unit * random_truss(9, random).stiffness;
     const MatrixXd one = MatrixXd::Identity(18, 18);
-    EXPECT_FALSE(definite(stiffness));                          // rigid motions
+    MatrixXd hinged = stiffness;  // one joint held, the rotation about it left
+    hinged.topLeftCorner(2, 2) += unit * MatrixXd::Identity(2, 2);
+    EXPECT_FALSE(definite(hinged));
+    EXPECT_FALSE(definite(stiffness));
     EXPECT_TRUE(definite(stiffness + 1e-9 * unit * one));       // weakly supported
     EXPECT_FALSE(definite(stiffness - 1e-9 * unit * one));
     EXPECT_FALSE(definite(-stiffness));

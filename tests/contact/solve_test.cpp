@@ -195,13 +195,13 @@ TEST(Solve, LiftOfRoundingIsRemovedAndReported) {
   VectorXd load = VectorXd::Zero(8);
   load[4] = 1;
   load[6] = -1;
-  load[5] = load[7] = 1e-13;
+  load[5] = load[7] = 2e-11;
   const auto bodies = tower({1, 1, 1}, load);
   const Solution solution = solve(bodies, VectorXd::Zero(6));
   ASSERT_EQ(solution.outcome, Outcome::solved);
-  EXPECT_GT(solution.imbalance, 1e-14);
-  EXPECT_LT(solution.imbalance, 1e-12);
-  EXPECT_LE(solution.pressure.maxCoeff(), 1e-12);
+  EXPECT_GT(solution.imbalance, 1e-12);
+  EXPECT_LT(solution.imbalance, 1e-10);
+  EXPECT_LE(solution.pressure.maxCoeff(), 1e-10);
 }
 
 // A very stiff square on a soft one moves by the soft one's displacement; what strains it is 1e12 times less.

@@ -1,0 +1,232 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cassert>
+
+#include "scene/scene.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+/// The edges that all three sides of the marked cells and conformity ask to be bisected: a cell of which any edge is
+/// bisected has its refinement edge bisected, and so has a contact facet whose counterpart is. Each edge and each cell
+/// at it are looked at once: linear time, and however the refinement edges were chosen on the coarsest mesh, all the
+/// rounds together add no more than a multiple of the cells marked [Karkulik, Pavlicek & Praetorius, Constr. Approx. 38
+/// (2013)].
+std::vector<char> bisected_edges(const Problem<2>& problem, const std::vector<char>& marked) {
+  const Mesh<2>& mesh = problem.mesh;
+  std::vector<std::array<int, 2>> edge_cells(mesh.edges.size(), {-1, -1});
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    for (const int edge : mesh.cell_edges[cell]) {
+      edge_cells[edge][edge_cells[edge][0] == -1 ? 0 : 1] = static_cast<int>(cell);
+    }
+  }
+  std::vector<int> partner(mesh.edges.size(), -1);
+  for (const ContactFacet& pair : problem.contact) {
+    if (pair.second == -1) continue;
+    const int first = mesh.boundary[pair.first].edge, second = mesh.boundary[pair.second].edge;
+    partner[first] = second;
+    partner[second] = first;
+  }
+
+  std::vector<char> bisected(mesh.edges.size(), false);
+  std::vector<int> work;
+  const auto bisect = [&](int edge) {
+    if (bisected[edge]) return;
+    bisected[edge] = true;
+    work.push_back(edge);
+  };
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    if (!marked[cell]) continue;
+    for (const int edge : mesh.cell_edges[cell]) bisect(edge);
+  }
+  while (!work.empty()) {
+    const int edge = work.back();
+    work.pop_back();
+    if (partner[edge] != -1) bisect(partner[edge]);
+    for (const int cell : edge_cells[edge]) {
+      if (cell != -1) bisect(mesh.cell_edges[cell][mesh.refinement_edge[cell]]);
+    }
+  }
+  return bisected;
+}
+
+/// What becomes of the edges of the old mesh, in the numbers of the new one.
+struct Halves {
+  std::vector<int> midpoint;  ///< vertex of each edge, −1: not bisected
+  std::vector<int> first;     ///< the edge itself or the half at its lower vertex; the other half follows
+
+  int at(const Mesh<2>& old, int edge, int vertex) const { return first[edge] + (old.edges[edge][1] == vertex ? 1 : 0); }
+};
+
+/// Vertices and halved edges of the new mesh; names and notes.
+std::pair<Mesh<2>, Halves> with_halved_edges(const Mesh<2>& old, const std::vector<char>& bisected) {
+  const std::size_t count = std::count(bisected.begin(), bisected.end(), true);
+  Mesh<2> mesh;
+  mesh.bodies = old.bodies;
+  mesh.parts = old.parts;
+  mesh.notes = old.notes;
+  mesh.vertices.reserve(old.vertices.size() + count);
+  mesh.vertices = old.vertices;
+  mesh.edges.reserve(old.edges.size() + 3 * count);  // the other half, and a new edge in either cell
+  Halves halves;
+  halves.midpoint.reserve(old.edges.size());
+  halves.first.reserve(old.edges.size());
+  for (std::size_t edge = 0; edge < old.edges.size(); ++edge) {
+    const auto& [a, b] = old.edges[edge];
+    halves.first.push_back(static_cast<int>(mesh.edges.size()));
+    if (!bisected[edge]) {
+      halves.midpoint.push_back(-1);
+      mesh.edges.push_back({a, b});
+      continue;
+    }
+    const int middle = static_cast<int>(mesh.vertices.size());
+    halves.midpoint.push_back(middle);
+    // Does not depend on the order of the ends: on the two sides of a contact it is the same to the last bit.
+    mesh.vertices.push_back(0.5 * (old.vertices[a] + old.vertices[b]));
+    mesh.edges.push_back({a, middle});
+    mesh.edges.push_back({b, middle});
+  }
+  return {std::move(mesh), std::move(halves)};
+}
+
+/// A child has half its parent's area, until rounding of the coordinates spoils its shape.
+void check_resolved(const Mesh<2>& mesh, int cell, double parent_area) {
+  if (volume(mesh, cell) > 0.1 * parent_area) return;  // at least a quarter, were it exact
+  fail(Status::budget, "",
+       "the mesh cannot be refined any further at " + point(mesh.vertices[mesh.cells[cell][0]]) +
+           ": its cells are as small as the rounding of coordinates");
+}
+
+/// Fills the cells, their edges and the edges inside of old cells. A bisected cell a, b, c with refinement edge bc is
+/// cut from a to the midpoint m of bc; each half m, p, q has its refinement edge pq opposite to m, and is cut from m if
+/// that is to be bisected, too. The refinement edge of children is edge 0.
+std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& old, const Halves& halves) {
+  const std::size_t count = old.cells.size() + mesh.edges.capacity() - mesh.edges.size();
+  mesh.cells.reserve(count);
+  mesh.cell_edges.reserve(count);
+  mesh.cell_body.reserve(count);
+  mesh.refinement_edge.reserve(count);
+  std::vector<int> cell_parent;
+  cell_parent.reserve(count);
+  const auto add_edge = [&](int one, int other) {
+    mesh.edges.push_back({std::min(one, other), std::max(one, other)});
+    return static_cast<int>(mesh.edges.size()) - 1;
+  };
+  const auto add_cell = [&](int parent, const std::array<int, 3>& vertices, const std::array<int, 3>& edges, int cut) {
+    mesh.cells.push_back(vertices);
+    mesh.cell_edges.push_back(edges);
+    mesh.cell_body.push_back(old.cell_body[parent]);
+    mesh.refinement_edge.push_back(static_cast<char>(cut));
+    cell_parent.push_back(parent);
+  };
+  // The half m, p, q of `parent`, of which pq is an old edge, qm and mp are new.
+  const auto add_half = [&](int parent, const std::array<int, 3>& vertices, int pq, int qm, int mp) {
+    const auto& [m, p, q] = vertices;
+    const int n = halves.midpoint[pq];
+    if (n == -1) {
+      add_cell(parent, vertices, {halves.first[pq], qm, mp}, 0);
+      return;
+    }
+    const int nm = add_edge(n, m);
+    add_cell(parent, {n, m, p}, {mp, halves.at(old, pq, p), nm}, 0);
+    add_cell(parent, {n, q, m}, {qm, nm, halves.at(old, pq, q)}, 0);
+  };
+  for (std::size_t i = 0; i < old.cells.size(); ++i) {
+    const int parent = static_cast<int>(i);
+    const int cut = old.refinement_edge[i];
+    const auto& edges = old.cell_edges[i];
+    const int bc = edges[cut], ca = edges[(cut + 1) % 3], ab = edges[(cut + 2) % 3];
+    const int m = halves.midpoint[bc];
+    if (m == -1) {
+      add_cell(parent, old.cells[i], {halves.first[edges[0]], halves.first[edges[1]], halves.first[edges[2]]}, cut);
+      continue;
+    }
+    const int a = old.cells[i][cut], b = old.cells[i][(cut + 1) % 3], c = old.cells[i][(cut + 2) % 3];
+    const int am = add_edge(a, m);
+    const std::size_t first = mesh.cells.size();
+    add_half(parent, {m, a, b}, ab, halves.at(old, bc, b), am);
+    add_half(parent, {m, c, a}, ca, am, halves.at(old, bc, c));
+    const double area = volume(old, parent);
+    for (std::size_t child = first; child < mesh.cells.size(); ++child) {
+      check_resolved(mesh, static_cast<int>(child), area);
+    }
+  }
+  return {std::move(mesh), std::move(cell_parent)};
+}
+
+/// The data on the half of a facet that begins (half = 0) or ends (1) with it.
+FacetData<2> halved(FacetData<2> data, int half) {
+  const int middle = 1 - half;
+  data.traction[middle] = 0.5 * (data.traction[0] + data.traction[1]);
+  data.displacement[middle] = 0.5 * (data.displacement[0] + data.displacement[1]);
+  data.normal_displacement[middle] = 0.5 * (data.normal_displacement[0] + data.normal_displacement[1]);
+  return data;
+}
+
+std::array<double, 3> halved(const std::array<double, 3>& gap, int half) {
+  const auto& [begin, end, middle] = gap;
+  const double near = half == 0 ? begin : end, far = half == 0 ? end : begin;
+  const double quarter = middle + 0.375 * (near - middle) - 0.125 * (far - middle);  // a constant stays to the last bit
+  return half == 0 ? std::array{begin, middle, quarter} : std::array{middle, end, quarter};
+}
+
+/// Fills the boundary and its data. \return with the first of each old facet's one or two children, in its order
+std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const Problem<2>& old, const Halves& halves) {
+  Mesh<2>& mesh = problem.mesh;
+  std::vector<int> slot(mesh.edges.size());  // 3 cell + side, the only one where the edge is on the boundary
+  for (std::size_t i = 0; i < 3 * mesh.cells.size(); ++i) slot[mesh.cell_edges[i / 3][i % 3]] = static_cast<int>(i);
+  std::vector<int> first_child;
+  for (std::size_t i = 0; i < old.mesh.boundary.size(); ++i) {
+    const auto& facet = old.mesh.boundary[i];
+    const auto& [a, b] = facet.vertices;
+    const auto add = [&](const std::array<int, 2>& vertices, int edge, const FacetData<2>& data) {
+      mesh.boundary.push_back({vertices, slot[edge] / 3, slot[edge] % 3, edge, facet.part});
+      problem.facets.push_back(data);
+    };
+    first_child.push_back(static_cast<int>(mesh.boundary.size()));
+    const int middle = halves.midpoint[facet.edge];
+    if (middle == -1) {
+      add(facet.vertices, halves.first[facet.edge], old.facets[i]);
+    } else {
+      add({a, middle}, halves.at(old.mesh, facet.edge, a), halved(old.facets[i], 0));
+      add({middle, b}, halves.at(old.mesh, facet.edge, b), halved(old.facets[i], 1));
+    }
+  }
+  return {std::move(problem), std::move(first_child)};
+}
+
+}  // namespace
+
+template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked) {
+  static_assert(dim == 2);
+  assert(marked.size() == problem.mesh.cells.size());
+  Refined<dim> refined;
+  refined.problem.bodies = problem.bodies;
+  refined.problem.oscillation = problem.oscillation;
+  refined.problem.length_scale = problem.length_scale;
+  auto [mesh, halves] = with_halved_edges(problem.mesh, bisected_edges(problem, marked));
+  std::tie(refined.problem.mesh, refined.cell_parent) = with_children(std::move(mesh), problem.mesh, halves);
+  std::vector<int> first_child;
+  std::tie(refined.problem, first_child) = with_boundary(std::move(refined.problem), problem, halves);
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    const auto& [pair, first, second, gap] = problem.contact[i];
+    const auto add = [&](int one, int other, const std::array<double, 3>& values) {
+      refined.problem.contact.push_back({pair, one, other, values});
+      refined.contact_parent.push_back(static_cast<int>(i));
+    };
+    const int one = first_child[first], other = second == -1 ? -1 : first_child[second];
+    if (halves.midpoint[problem.mesh.boundary[first].edge] == -1) {
+      add(one, other, gap);
+    } else {  // the second facet runs the other way
+      add(one, other == -1 ? -1 : other + 1, halved(gap, 0));
+      add(one + 1, other, halved(gap, 1));
+    }
+  }
+  return refined;
+}
+
+template Refined<2> refine(const Problem<2>&, const std::vector<char>&);
+
+}  // namespace bracket::scene
