@@ -22,7 +22,9 @@ bounds::Outcome<2> solve(const scene::Scene<2>& scene, bool show_progress) {
   struct ClearOnReturn {
     ~ClearOnReturn() { std::fputs(clear_line, stderr); }
   } const clear;
-  return bounds::run<2>(scene, [](const std::string& stage) { fmt::print(stderr, "{}{} …", clear_line, stage); });
+  bounds::Observer<2> observer;
+  observer.stage = [](const std::string& stage) { fmt::print(stderr, "{}{} …", clear_line, stage); };
+  return bounds::run(scene, observer);
 }
 
 void write_results(const std::filesystem::path& folder, const Report& report, const std::string& json) {

@@ -1,6 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+#include <stop_token>
+
 #include "dual/dual.h"
 #include "primal/primal.h"
 #include "scene/scene.h"
@@ -97,7 +100,7 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
 // ---- the driver -----------------------------------------------------------------------------------------------------
 
 struct Seconds {
-  double mesh = 0;  ///< reading, meshing, fixing the data
+  double mesh = 0;  ///< reading, meshing and fixing the data; later marking and refining
   double primal = 0;
   double dual = 0;
   double estimate = 0;
@@ -111,7 +114,7 @@ struct Level {
   int dual_dofs = 0;
   Bracket bracket;
   Checks checks;
-  double oscillation_energy = 0;  ///< first-order estimate of what fixing the data edgewise did to the energy
+  double oscillation_energy = 0;  ///< of the data, which the first mesh fixes: see oscillation_energy()
   Seconds seconds;
   int contact_rows = 0, contact_active = 0, contact_iterations = 0;  ///< of the displacements
   int dual_contact_rows = 0, dual_contact_active = 0, dual_contact_iterations = 0;
@@ -120,10 +123,16 @@ struct Level {
   contact::Seconds primal_phases, dual_phases;
 };
 
+/// What a run has found; the fields are those of the last level.
 template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
   std::string guarantee = "none";  ///< "discretisation" or "none"
   std::string reason;              ///< if there is no guarantee or the budget was spent: one line
+  /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are nested,
+  /// so the last upper bound is the least; the stress spaces are not.
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A
   scene::Problem<dim> problem;
   primal::Displacement<dim> displacement;
   dual::Stress<dim> stress;
@@ -132,15 +141,25 @@ template <int dim> struct Outcome {
   std::vector<std::string> skipped;  ///< stages that the scene did not need
 };
 
-/// Told of each stage as it begins ("mesh", "displacements and stresses", "estimate").
-using Progress = std::function<void(const std::string& stage)>;
+/// Who follows a run, and may end it.
+template <int dim> struct Observer {
+  std::function<void(const std::string& stage)> stage;  ///< told as each stage of a level begins
+  std::function<void(const Outcome<dim>& so_far)> level;  ///< told as each level is done
+  std::stop_token stop;                                   ///< asked after each level
+};
 
 /// Solvability (HH81 (1.16)): throws scene::Error (ill_posed), with the body and the motion, where no pressure can
 /// balance the loads. \return the largest relative imbalance that was at rounding level and is removed
 template <int dim> double check_solvability(const scene::Problem<dim>& problem);
 
-/// The whole main job: mesh, fixed data, solvability, both formulations, checks, bracket.
+/// Bulk marking (Dörfler): as few cells as carry `bulk` of the sum of the indicators, a contact facet's share split
+/// between the cells at it. \return 1 per marked cell   \pre 0 < bulk ≤ 1
+template <int dim>
+std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk);
+
+/// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking and
+/// refinement, until the target or the budget of scene.refine.
 /// \throw scene::Error for all that the user can mend
-template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Progress& progress = {});
+template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
 
 }  // namespace bracket::bounds

@@ -1,13 +1,18 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <chrono>
 #include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
 #include <future>
 
 #include "bounds/bounds.h"
+#include "bounds/skipped.h"
 
 namespace bracket::bounds {
 
 namespace {
+
+using scene::Status;
 
 class Clock {
  public:
@@ -17,112 +22,214 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-template <int dim> std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem) {
-  using scene::Support;
-  std::vector<std::string> skipped;
-  bool force = false, floating = false, prescribed = false;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    force = force || !problem.bodies[b].force.isZero(0);
-    floating = floating || !scene::free_motions(problem, static_cast<int>(b)).empty();
+/// A mesh to be solved on, and what is expected of its contact.
+template <int dim> struct Step {
+  scene::Problem<dim> problem;
+  std::vector<char> primal_closed, dual_closed;  ///< empty: unknown
+  double seconds = 0;                            ///< that it took to make
+};
+
+/// Both formulations on one mesh.
+template <int dim> struct Solved {
+  primal::Result<dim> primal;
+  dual::Result<dim> dual;
+  Seconds seconds;
+  bool both() const {
+    return primal.outcome == contact::Outcome::solved && dual.outcome == contact::Outcome::solved;
   }
-  for (const auto& data : problem.facets) {
-    if (data.support == Support::fixed) prescribed = prescribed || !data.displacement[0].isZero(0) || !data.displacement[1].isZero(0);
-    if (data.support == Support::sliding) prescribed = prescribed || data.normal_displacement[0] != 0 || data.normal_displacement[1] != 0;
-  }
-  if (problem.contact.empty()) skipped.push_back("interface problem: no contact");
-  if (!force) skipped.push_back("particular stress field: no body force");
-  if (!floating) skipped.push_back("rigid motions: every body is held by its supports");
-  if (!prescribed) skipped.push_back("work of supports: no displacement is prescribed but zero");
-  if (scene.refine.strategy == "none") skipped.push_back("marking and refinement: strategy \"none\"");
-  return skipped;
-}
+};
 
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
-template <int dim>
-std::pair<primal::Result<dim>, dual::Result<dim>> solve_both(const scene::Problem<dim>& problem, int degree,
-                                                             Seconds& seconds) {
+template <int dim> Solved<dim> solve_both(const Step<dim>& step, int degree) {
   const Clock clock;
   contact::set_blas_threads(1);
+  Solved<dim> solved;
   auto stresses = std::async(std::launch::async, [&] {
-    auto result = dual::solve(problem);
-    return std::pair(std::move(result), clock.seconds());
+    solved.dual = dual::solve(step.problem, step.dual_closed);
+    solved.seconds.dual = clock.seconds();
   });
-  auto displacements = primal::solve(problem, degree);
-  seconds.primal = clock.seconds();
-  auto [result, dual_seconds] = stresses.get();
-  seconds.dual = dual_seconds;
-  return {std::move(displacements), std::move(result)};
+  solved.primal = primal::solve(step.problem, degree, step.primal_closed);
+  solved.seconds.primal = clock.seconds();
+  stresses.get();
+  return solved;
 }
 
-}  // namespace
-
-template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Progress& progress) {
-  const Clock total;
-  const auto tell = [&](const std::string& stage) {
-    if (progress) progress(stage);
-  };
-  Outcome<dim> outcome;
+template <int dim> Level describe(const Step<dim>& step, const Solved<dim>& solved) {
   Level level;
-  tell("mesh");
-  outcome.problem = scene::fix_data(scene, scene::build_mesh(scene));
-  const auto& problem = outcome.problem;
-  check_solvability(problem);
-  outcome.skipped = skipped_stages(scene, problem);
-  level.cells = static_cast<int>(problem.mesh.cells.size());
-  level.seconds.mesh = total.seconds();
+  level.cells = static_cast<int>(step.problem.mesh.cells.size());
+  level.primal_dofs = solved.primal.unknowns;
+  level.dual_dofs = solved.dual.unknowns;
+  level.contact_rows = solved.primal.rows;
+  level.contact_active = solved.primal.active_rows;
+  level.contact_iterations = solved.primal.iterations;
+  level.dual_contact_rows = solved.dual.rows;
+  level.dual_contact_active = solved.dual.active_rows;
+  level.dual_contact_iterations = solved.dual.iterations;
+  level.primal_imbalance = solved.primal.imbalance;
+  level.dual_imbalance = solved.dual.imbalance;
+  level.primal_assemble = solved.primal.assemble;
+  level.dual_assemble = solved.dual.assemble;
+  level.primal_phases = solved.primal.seconds;
+  level.dual_phases = solved.dual.seconds;
+  level.seconds = solved.seconds;
+  level.seconds.mesh = step.seconds;
+  return level;
+}
 
-  tell("displacements and stresses");
-  auto [displacements, stresses] = solve_both(problem, scene.solve.degree, level.seconds);
-  level.primal_dofs = displacements.unknowns;
-  level.dual_dofs = stresses.unknowns;
-  level.contact_rows = displacements.rows;
-  level.contact_active = displacements.active_rows;
-  level.contact_iterations = displacements.iterations;
-  level.dual_contact_rows = stresses.rows;
-  level.dual_contact_active = stresses.active_rows;
-  level.dual_contact_iterations = stresses.iterations;
-  level.primal_imbalance = displacements.imbalance;
-  level.dual_imbalance = stresses.imbalance;
-  level.primal_assemble = displacements.assemble;
-  level.dual_assemble = stresses.assemble;
-  level.primal_phases = displacements.seconds;
-  level.dual_phases = stresses.seconds;
+/// Bracket and checks of a solved level. The data were fixed on the first mesh, and so was what that did to the energy.
+template <int dim>
+Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solved<dim>& solved,
+               const Indicator& shares, const std::vector<Level>& earlier) {
+  const auto& problem = step.problem;
+  Level level = describe(step, solved);
+  level.bracket = bracket(problem, solved.primal.displacement, solved.dual.stress, shares);
+  level.checks = admissibility(problem, solved.primal.displacement, solved.dual.stress);
+  level.checks.gap_identity = level.bracket.gap_identity;
+  level.oscillation_energy =
+      earlier.empty() ? oscillation_energy(scene, problem, solved.primal.displacement, solved.dual.stress)
+                      : earlier.front().oscillation_energy;
+  return level;
+}
 
-  const bool both = displacements.outcome == contact::Outcome::solved && stresses.outcome == contact::Outcome::solved;
-  if (both) {
-    tell("estimate");
-    const Clock clock;
-    outcome.displacement = std::move(displacements.displacement);
-    outcome.stress = std::move(stresses.stress);
-    outcome.indicator = indicator(problem, outcome.displacement, outcome.stress);
-    level.bracket = bracket(problem, outcome.displacement, outcome.stress, outcome.indicator);
-    level.checks = admissibility(problem, outcome.displacement, outcome.stress);
-    level.checks.gap_identity = level.bracket.gap_identity;
-    level.oscillation_energy = oscillation_energy(scene, problem, outcome.displacement, outcome.stress);
-    level.seconds.estimate = clock.seconds();
-  }
-  level.seconds.total = total.seconds();
+/// What is wrong with a level; empty: nothing.
+template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& level) {
+  if (!level.checks.passed())
+    return fmt::format("the fields computed on {} cells are not admissible to {:g} of the scene's scale", level.cells,
+                       Checks::tolerance);
+  // Displacements of nested spaces: only a fault can raise the bound by more than rounding.
+  const double upper = level.bracket.upper, rounding = 1e-12 * std::max(std::abs(upper), std::abs(level.bracket.lower));
+  if (upper > earlier.upper + rounding)
+    return fmt::format("the upper bound rose to {} on {} cells, although the spaces are nested", upper, level.cells);
+  return "";
+}
+
+/// Makes a level the last of the run.
+template <int dim>
+void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<dim>& solved, Indicator shares) {
+  const Bracket& bracket = level.bracket;
+  outcome.lower = std::max(outcome.lower, bracket.lower);
+  outcome.upper = std::min(outcome.upper, bracket.upper);
+  outcome.relative_error_bound = bracket.relative_error_bound;
+  if (outcome.lower > bracket.lower)  // an earlier level knew better
+    outcome.relative_error_bound *= std::sqrt(std::max(0.0, outcome.upper - outcome.lower) / (bracket.upper - bracket.lower));
+  outcome.problem = std::move(step.problem);
+  outcome.displacement = std::move(solved.primal.displacement);
+  outcome.stress = std::move(solved.dual.stress);
+  outcome.indicator = std::move(shares);
   outcome.levels.push_back(level);
+}
 
-  if (!both) {
-    outcome.status = scene::Status::not_guaranteed;
-    outcome.reason = displacements.reason.empty() ? stresses.reason : displacements.reason;
-  } else if (!level.checks.passed()) {
-    outcome.status = scene::Status::not_guaranteed;
-    outcome.reason = fmt::format("the computed fields are not admissible to {:g} of the scene's scale", Checks::tolerance);
-  } else {
-    outcome.guarantee = "discretisation";
-    const double target = scene.refine.target;
-    if (target > 0 && !(level.bracket.relative_error_bound <= target)) {
-      outcome.status = scene::Status::budget;
-      outcome.reason = fmt::format("the guaranteed relative error {:.3g} is above the target {:g} and the mesh is not refined",
-                                   level.bracket.relative_error_bound, target);
-    }
+template <int dim> bool reached(const Outcome<dim>& outcome, double target) {
+  return target > 0 && outcome.relative_error_bound <= target;
+}
+
+/// Why there is no bracket on a mesh; empty: there is one.
+template <int dim> std::string unsolved(const Solved<dim>& solved) {
+  return solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;
+}
+
+/// Pressures that are linear on each edge reach less far than those of the displacements, which act at the vertices: a
+/// finer mesh may balance what a coarse one cannot.
+template <int dim> bool finer_mesh_may_help(const Solved<dim>& solved) {
+  return solved.primal.outcome == contact::Outcome::solved && solved.dual.outcome == contact::Outcome::no_equilibrium;
+}
+
+/// Which budget is spent after `meshes` meshes; empty: none.
+std::string spent(const scene::Refine& refine, int meshes, double seconds) {
+  if (refine.strategy == "none") return "the mesh is not refined (strategy \"none\")";
+  if (meshes >= refine.max_levels) return fmt::format("max_levels = {}", refine.max_levels);
+  if (seconds >= refine.max_seconds) return fmt::format("max_seconds = {:g}", refine.max_seconds);
+  return "";
+}
+
+std::vector<char> inherited(const std::vector<char>& closed, const std::vector<int>& parent) {
+  std::vector<char> result;
+  for (const int facet : parent) result.push_back(closed[facet]);
+  return result;
+}
+
+/// \param marked cells to refine; the contact starts from what it was
+template <int dim>
+Step<dim> finer(const scene::Problem<dim>& problem, const std::vector<char>& marked, const Solved<dim>& solved) {
+  auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
+  return {std::move(refined), inherited(solved.primal.closed, contact_parent),
+          inherited(solved.dual.closed, contact_parent), 0};
+}
+
+template <int dim> Step<dim> first_step(const scene::Scene<dim>& scene) {
+  Step<dim> step{scene::fix_data(scene, scene::build_mesh(scene)), {}, {}, 0};
+  check_solvability(step.problem);
+  return step;
+}
+
+/// Ends a run that has not reached its target.
+/// \param early before any budget was spent
+template <int dim> Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::string& why, bool early) {
+  if (outcome.guarantee == "none") {
+    outcome.status = Status::not_guaranteed;
+    outcome.reason = why;
+  } else if (early || refine.target > 0) {
+    outcome.status = Status::budget;
+    outcome.reason = fmt::format("{}; the guaranteed relative error is {:.3g}", why, outcome.relative_error_bound);
+    if (refine.target > 0) outcome.reason += fmt::format(", the target {:g}", refine.target);
   }
   return outcome;
 }
 
+}  // namespace
+
+template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
+  const auto tell = [&](const std::string& stage) {
+    if (observer.stage) observer.stage(stage);
+  };
+  const scene::Refine& refine = scene.refine;
+  const Clock run_clock;
+  Clock clock;
+  Outcome<dim> outcome;
+  tell("mesh");
+  Step<dim> step = first_step(scene);
+  outcome.skipped = skipped_stages(scene, step.problem);
+  step.seconds = clock.seconds();
+
+  for (int meshes = 1;; ++meshes) {
+    tell(fmt::format("displacements and stresses on {} cells", step.problem.mesh.cells.size()));
+    Solved<dim> solved = solve_both(step, scene.solve.degree);
+    std::string why = unsolved(solved);
+    const bool bracketed = why.empty();
+    if (bracketed) {
+      tell("estimate");
+      const Clock estimate_clock;
+      Indicator shares = indicator(step.problem, solved.primal.displacement, solved.dual.stress);
+      Level level = estimate(scene, step, solved, shares, outcome.levels);
+      level.seconds.estimate = estimate_clock.seconds();
+      level.seconds.total = clock.seconds();
+      why = fault(outcome, level);
+      if (why.empty()) outcome.guarantee = "discretisation";
+      if (why.empty() || outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
+      if (!why.empty()) return ended(std::move(outcome), refine, why, true);
+      if (observer.level) observer.level(outcome);
+      if (reached(outcome, refine.target)) return outcome;
+    } else if (!finer_mesh_may_help(solved) || refine.strategy == "none") {
+      return ended(std::move(outcome), refine, why, true);
+    }
+    if (observer.stop.stop_requested()) return ended(std::move(outcome), refine, "stopped on request", true);
+    const std::string budget = spent(refine, meshes, run_clock.seconds());
+    if (!budget.empty()) return ended(std::move(outcome), refine, bracketed ? budget : why + "; " + budget, false);
+
+    tell("refinement");
+    clock = Clock();
+    const scene::Problem<dim>& problem = bracketed ? outcome.problem : step.problem;
+    const bool adaptive = bracketed && refine.strategy == "adaptive";
+    step = finer(problem, adaptive ? mark(problem, outcome.indicator, refine.bulk) : std::vector<char>(problem.mesh.cells.size(), 1),
+                 solved);
+    step.seconds = clock.seconds();
+    if (static_cast<int>(step.problem.mesh.cells.size()) > refine.max_cells)
+      return ended(std::move(outcome), refine, fmt::format("max_cells = {}", refine.max_cells), false);
+  }
+}
+
 template struct Outcome<2>;
-template Outcome<2> run(const scene::Scene<2>&, const Progress&);
+template struct Observer<2>;
+template Outcome<2> run(const scene::Scene<2>&, const Observer<2>&);
 
 }  // namespace bracket::bounds

@@ -36,6 +36,8 @@ Scaled scaled(const Interface& problem) {
   const Eigen::HouseholderQR<MatrixXd> qr(to.motion);
   result.motion = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
   to.motion = qr.householderQ() * MatrixXd::Identity(m, k);
+  for (Index i = 0; i < m; ++i)  // not the rounding of zero
+    if (problem.motion.row(i).isZero(0)) to.motion.row(i).setZero();
   to.load = result.motion.transpose().triangularView<Eigen::Lower>().solve(problem.load);
   return result;
 }

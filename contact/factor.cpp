@@ -98,7 +98,7 @@ bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
-  constexpr double lost = 0;
+  constexpr double lost = 1e-13;
   const Eigen::VectorXd diagonal = stiffness.diagonal();
   const int* const unknown = static_cast<const int*>(factor.Perm);
   const Supernodes nodes(factor);

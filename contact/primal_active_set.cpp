@@ -123,13 +123,13 @@ std::vector<Index> below(const VectorXd& values, double bound, const std::vector
   return result;
 }
 
-/// The row with the most negative slack, or with `least_index` the first; −1: none is below what rounding may do.
-Index violated(const VectorXd& slack, const VectorXd& rounding, const std::vector<char>& barred, bool least_index) {
+/// The row off `set` with the most negative slack, or with `least_index` the first; −1: none is below what rounding may do.
+Index violated(const VectorXd& slack, const VectorXd& rounding, const std::vector<Index>& set, bool least_index) {
+  VectorXd excess = -(slack + rounding);
+  excess(set).setConstant(-1);
   Index result = -1;
-  for (Index i = 0; i < slack.size(); ++i) {
-    if (barred[i] || slack[i] >= -rounding[i]) continue;
-    if (result < 0 || (!least_index && slack[i] < slack[result])) result = i;
-  }
+  for (Index i = 0; i < slack.size(); ++i)
+    if (excess[i] > 0 && (result < 0 || (!least_index && slack[i] < slack[result]))) result = i;
   return result;
 }
 
@@ -146,26 +146,19 @@ Index violated(const VectorXd& slack, const VectorXd& rounding, const std::vecto
 //   (Bland). Suppose they went in a circle: p, and with it c = F p − w, is fixed. Let t be the largest row that enters
 //   and leaves; s the slacks when it enters (s_t < 0, s_i ≥ 0 for such rows i < t, 0 for the others in the sets), and d
 //   the direction along which it leaves (d_t < 0, d_i ≥ 0 for such i < t), cᵀd < 0. As Gᵀd = 0, cᵀd = sᵀd > 0. So no.
-// In rounding, a row that leaves without having moved has entered by rounding: it waits until something moves.
 Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
   const Index m = problem.overlap.size();
   const Index most = 100 * (m + 10);
   WorkingSet set = first_working_set(problem, start);
   VectorXd pressure = start;
-  Index entering = -1;
-  bool moved = true;
-  std::vector<char> waits(m, 0);
+  bool moved = true;  // since the last row entered
   const auto move = [&](const VectorXd& change, double rounding) {
-    if (largest(change) > rounding) {
-      moved = true;
-      std::fill(waits.begin(), waits.end(), 0);
-    }
+    moved = moved || largest(change) > rounding;
     pressure += change;
   };
   const auto leave = [&](Index row) {
     pressure[row] = 0;
     set.remove(row);
-    if (row == entering && !moved) waits[row] = 1;
   };
 
   for (int iteration = 1; iteration <= most; ++iteration) {
@@ -184,9 +177,8 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
     move(direction, rounding);
     pressure = minimum.pressure.cwiseMax(0);
 
-    std::vector<char> barred = waits;
-    for (Index i : set.rows()) barred[i] = 1;
-    entering = violated(slack(problem, pressure, minimum.motion), slack_rounding(problem, minimum), barred, !moved);
+    const Index entering =
+        violated(slack(problem, pressure, minimum.motion), slack_rounding(problem, minimum), set.rows(), !moved);
     moved = false;
     if (entering < 0) return {Outcome::solved, pressure, minimum.motion, set.rows(), iteration};
     if (set.append(entering)) continue;

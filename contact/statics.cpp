@@ -71,6 +71,8 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
     first += basis.cols();
   }
   const VectorXd row_size = row_sizes(bodies);
+  for (Index i = 0; i < m; ++i)  // a row must not seem to resist where it is the rounding of zero
+    if (rows.row(i).norm() < 1e-12 * row_size[i]) rows.row(i).setZero();
   const MatrixXd unit_rows = row_size.cwiseInverse().asDiagonal() * rows;
   const auto [resisted, free] = split(unit_rows);
 

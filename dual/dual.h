@@ -18,7 +18,7 @@ template <int dim> struct Result {
   contact::Outcome outcome = contact::Outcome::solved;
   std::string reason;  ///< if not solved: one line
   Stress<dim> stress;
-  std::vector<char> active;  ///< per contact row, to start from on the same mesh
+  std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
   int unknowns = 0;          ///< edge displacements that are not prescribed
   int rows = 0;
   int active_rows = 0;
@@ -30,6 +30,7 @@ template <int dim> struct Result {
 
 /// Minimises S over the block-element stresses in K⁺_{F,P} [HH81, (1.13), (2.12)] by the hybrid method: edge
 /// displacements, linear on each edge, are the multipliers of traction continuity; contact rows are the moments of r.
-template <int dim> Result<dim> solve(const scene::Problem<dim>& problem);
+/// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
+template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {});
 
 }  // namespace bracket::dual

@@ -299,7 +299,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-template <int dim> Result<dim> solve(const Problem<dim>& problem) {
+template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
   const auto start = std::chrono::steady_clock::now();
   const Layout layout = lay_out(problem);
   std::vector<contact::Body> bodies;
@@ -313,7 +313,9 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem) {
   for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
   result.assemble = seconds_since(start);
 
-  contact::Solution solution = contact::solve(bodies, gap_moments(problem));
+  std::vector<char> guess;
+  for (const char facet : closed) guess.insert(guess.end(), 2, facet);
+  contact::Solution solution = contact::solve(bodies, gap_moments(problem), guess);
   result.outcome = solution.outcome;
   result.reason = explain(solution.outcome);
   result.iterations = solution.iterations;
@@ -325,13 +327,15 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem) {
     solution.seconds.recover += seconds_since(recovering);
   }
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
-  result.active = std::move(solution.active);
+  result.closed.assign(problem.contact.size(), 0);
+  for (std::size_t i = 0; i < solution.active.size(); ++i)
+    if (solution.active[i]) result.closed[i / 2] = 1;
   result.seconds = solution.seconds;
   return result;
 }
 
 template struct Stress<2>;
 template struct Result<2>;
-template Result<2> solve(const Problem<2>&);
+template Result<2> solve(const Problem<2>&, const std::vector<char>&);
 
 }  // namespace bracket::dual

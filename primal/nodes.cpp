@@ -153,11 +153,11 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
   const double tolerance = 1e-10 * largest_prescribed(problem, nodes);
   const Approach<dim> approach{nodes, problem};
   std::vector<Row> rows;
-  const auto keep = [&](Row row, int facet) {
+  const auto keep = [&](Row row) {
     if (!row.entries.empty()) {
       rows.push_back(std::move(row));
     } else if (row.bound < -tolerance) {
-      const auto& first = mesh.boundary[problem.contact[facet].first];
+      const auto& first = mesh.boundary[problem.contact[row.facet].first];
       const Vector<dim>& x = mesh.vertices[first.vertices[0]];
       throw scene::Error(scene::Status::ill_posed,
                          "the displacements prescribed at the contact of '" + mesh.parts[first.part] + "' near (" +
@@ -175,7 +175,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
     // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself.
     if (nodes.degree == 1 && middle >= (ga + gb) / 2) continue;
     const Vector<dim> d = scene::normal(mesh, pair.first);
-    Row row{{}, middle};
+    Row row{{}, middle, static_cast<int>(j)};
     for (const int side : {pair.first, pair.second}) {
       if (side < 0) continue;
       const auto& facet = mesh.boundary[side];
@@ -184,14 +184,14 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
         approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * (nodes.degree == 2 ? -0.5 : 0.5));
       if (nodes.degree == 2) approach.add(row, nodes.at_edge(mesh, facet.edge), body_of(side), d, sign * 2);
     }
-    keep(std::move(row), static_cast<int>(j));
+    keep(std::move(row));
   }
   for (const EndRow& end : end_rows(problem)) {
     const auto& pair = problem.contact[end.facet];
-    Row row{{}, end.gap};
+    Row row{{}, end.gap, end.facet};
     approach.add(row, nodes.at_vertex(end.first), body_of(pair.first), end.normal, 1);
     if (end.second >= 0) approach.add(row, nodes.at_vertex(end.second), body_of(pair.second), end.normal, -1);
-    keep(std::move(row), end.facet);
+    keep(std::move(row));
   }
   return rows;
 }

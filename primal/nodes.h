@@ -33,6 +33,7 @@ struct Row {
   };
   std::vector<Entry> entries;
   double bound;
+  int facet;  ///< a contact facet that it belongs to, index into Problem::contact
 };
 
 /// Rows that make r ≤ g on all of Γ_K: the Bernstein coefficients of r on each facet are bounded by those of g, at the

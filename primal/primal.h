@@ -18,7 +18,7 @@ template <int dim> struct Result {
   contact::Outcome outcome = contact::Outcome::solved;
   std::string reason;  ///< if not solved: one line, with the body and the motion
   Displacement<dim> displacement;
-  std::vector<char> active;  ///< per contact row, to start from on the same mesh
+  std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
   int unknowns = 0;
   int rows = 0;
   int active_rows = 0;
@@ -31,7 +31,9 @@ template <int dim> struct Result {
 /// Minimises the potential energy L over K_h ⊂ K. [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
 /// g on each contact facet.
 /// \param degree 1 or 2
+/// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
 /// \throw scene::Error (ill_posed) where prescribed displacements alone already close a gap by more than it has
-template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, int degree);
+template <int dim>
+Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed = {});
 
 }  // namespace bracket::primal

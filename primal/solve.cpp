@@ -165,7 +165,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree) {
+template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, const std::vector<char>& closed) {
   const auto start = std::chrono::steady_clock::now();
   const Nodes<dim> nodes = make_nodes(problem, degree);
   const std::vector<Row> rows = contact_rows(problem, nodes);
@@ -180,20 +180,25 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree) {
   for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
   result.assemble = seconds_since(start);
 
-  contact::Solution solution = contact::solve(bodies, bounds);
+  std::vector<char> guess;
+  if (!closed.empty())
+    for (const Row& row : rows) guess.push_back(closed[row.facet]);
+  contact::Solution solution = contact::solve(bodies, bounds, guess);
   result.outcome = solution.outcome;
   result.reason = explain(solution.outcome);
   result.iterations = solution.iterations;
   result.imbalance = solution.imbalance;
   if (solution.outcome == contact::Outcome::solved) result.displacement = recover(problem.mesh, nodes, solution.displacement);
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
-  result.active = std::move(solution.active);
+  result.closed.assign(problem.contact.size(), 0);
+  for (std::size_t i = 0; i < solution.active.size(); ++i)
+    if (solution.active[i]) result.closed[rows[i].facet] = 1;
   result.seconds = solution.seconds;
   return result;
 }
 
 template struct Displacement<2>;
 template struct Result<2>;
-template Result<2> solve(const Problem<2>&, int);
+template Result<2> solve(const Problem<2>&, int, const std::vector<char>&);
 
 }  // namespace bracket::primal

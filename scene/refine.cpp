@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 
 #include "scene/scene.h"
 #include "scene/text.h"
@@ -103,7 +104,7 @@ void check_resolved(const Mesh<2>& mesh, int cell, double parent_area) {
 /// cut from a to the midpoint m of bc; each half m, p, q has its refinement edge pq opposite to m, and is cut from m if
 /// that is to be bisected, too. The refinement edge of children is edge 0.
 std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& old, const Halves& halves) {
-  const std::size_t count = old.cells.size() + mesh.edges.capacity() - mesh.edges.size();
+  const std::size_t count = old.cells.size() + 2 * (mesh.vertices.size() - old.vertices.size());
   mesh.cells.reserve(count);
   mesh.cell_edges.reserve(count);
   mesh.cell_body.reserve(count);
@@ -202,6 +203,7 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked) {
   static_assert(dim == 2);
   assert(marked.size() == problem.mesh.cells.size());
+  assert(problem.mesh.refinement_edge.size() == problem.mesh.cells.size());
   Refined<dim> refined;
   refined.problem.bodies = problem.bodies;
   refined.problem.oscillation = problem.oscillation;

@@ -207,6 +207,15 @@ TEST(ActiveSet, ScalingMakesUnitsAndModuliVanish) {
   }
 }
 
+// Rows that no motion meets stay so: by rounding they would balance any load, with a pressure without bound.
+TEST(ActiveSet, ScalingKeepsZeroRows) {
+  MatrixXd motion(7, 2);
+  motion << 0, 0, 0, 1, 0, 2, -2, -2, -2, -2, 1, 0, 2, 2;
+  const VectorXd none = VectorXd::Zero(7);
+  const Scaled found = scaled({MatrixXd::Identity(7, 7), none, none, motion, Eigen::Vector2d(-4, -2)});
+  EXPECT_EQ(found.problem.motion.row(0).norm(), 0);
+}
+
 TEST(GrowingCholesky, FollowsRowsInAndOut) {
   std::mt19937 random(16);
   const Index n = 12;

@@ -68,5 +68,26 @@ TEST(Statics, SeparatesTheMotionsThatContactResists) {
   EXPECT_GT((pushed.rigid.transpose() * aside).dot(motions(pushed.rigid).change.inverse() * lost.motion), 0);
 }
 
+// A body that slides along a line and turns about the origin, and a row straight through it: what is zero in all but
+// rounding is made zero.
+TEST(Statics, RowsThatResistNothingAreExactlyZero) {
+  std::mt19937 random(40);
+  for (int trial = 0; trial < 20; ++trial) {
+    Truss truss = random_truss(7, random);
+    const Eigen::Vector2d normal = Eigen::Vector2d(random_vector(2, random)).normalized();
+    truss.joints.row(3) = 3 * normal.transpose();
+    MatrixXd rows = MatrixXd::Zero(2, 14);
+    bind(rows, 0, 3, normal);
+    bind(rows, 1, 5, normal);
+    Body body = floating(truss, VectorXd::Zero(14), rows);
+    const MatrixXd all = body.rigid;
+    body.rigid.resize(14, 2);
+    body.rigid << all.col(0) * normal.y() - all.col(1) * normal.x(), all.col(2);
+    const Statics found = statics({body}, {motions(body.rigid)});
+    EXPECT_EQ(found.rows.row(0).norm(), 0);
+    EXPECT_GT(found.rows.row(1).norm(), 0);
+  }
+}
+
 }  // namespace
 }  // namespace bracket::contact

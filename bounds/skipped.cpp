@@ -1,0 +1,40 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/skipped.h"
+
+#include <algorithm>
+
+namespace bracket::bounds {
+
+namespace {
+
+bool is_prescribed(const scene::FacetData<2>& data) {
+  using scene::Support;
+  if (data.support == Support::fixed) return !data.displacement[0].isZero(0) || !data.displacement[1].isZero(0);
+  if (data.support == Support::sliding) return data.normal_displacement[0] != 0 || data.normal_displacement[1] != 0;
+  return false;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem) {
+  bool floating = false;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    floating = floating || !scene::free_motions(problem, static_cast<int>(b)).empty();
+  const auto heavy = [](const scene::Body<dim>& body) { return !body.force.isZero(0); };
+
+  std::vector<std::string> skipped;
+  if (problem.contact.empty()) skipped.push_back("interface problem: no contact");
+  if (std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
+    skipped.push_back("particular stress field: no body force");
+  if (!floating) skipped.push_back("rigid motions: every body is held by its supports");
+  if (std::none_of(problem.facets.begin(), problem.facets.end(), is_prescribed))
+    skipped.push_back("work of supports: no displacement is prescribed but zero");
+  if (scene.refine.strategy == "none") skipped.push_back("marking and refinement: strategy \"none\"");
+  if (scene.refine.strategy == "uniform") skipped.push_back("marking: every cell is refined");
+  return skipped;
+}
+
+template std::vector<std::string> skipped_stages(const scene::Scene<2>&, const scene::Problem<2>&);
+
+}  // namespace bracket::bounds
