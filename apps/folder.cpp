@@ -45,6 +45,10 @@ void clear_results(const fs::path& folder) {
 
 }  // namespace
 
+fs::path results_folder(const fs::path& folder, const fs::path& scene, const std::string& ending) {
+  return folder.empty() ? fs::path(scene.stem().string() + ending) : folder;
+}
+
 void prepare_folder(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))

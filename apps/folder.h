@@ -7,6 +7,10 @@
 
 namespace bracket::apps {
 
+/// `folder`, or where it is empty the scene's stem + `ending` in the current directory.
+std::filesystem::path results_folder(const std::filesystem::path& folder, const std::filesystem::path& scene,
+                                     const std::string& ending);
+
 /// Makes `folder` ready for the results of a run: creates it, or clears it of the files that an earlier run wrote there
 /// (a folder of results lists them in its file `.bracket`).
 /// \throw scene::Error (input) if it is not a folder, holds files but no `.bracket`, or cannot be written

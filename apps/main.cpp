@@ -39,13 +39,23 @@ Status perform(int argc, char** argv) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
   };
+  const auto add_folder = [&options](CLI::App* command, const char* ending) {
+    command
+        ->add_option("-o", options.folder, fmt::format("Folder for the results (default: the scene's name + {})", ending))
+        ->type_name("DIR")
+        ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
+  };
   CLI::App* run = app.add_subcommand("run", "Solve a scene and report the energy between its bounds");
   add_scene(run);
-  run->add_option("-o", options.folder, "Folder for the results (default: the scene's name + .out)")
-      ->type_name("DIR")
-      ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
+  add_folder(run, ".out");
   run->add_flag("--json", options.json, "Print the report as JSON alone");
   run->add_flag("--quiet", options.quiet, "Print the interval alone");
+  run->add_flag("--png", options.png, "Pictures as PNG too");
+  run->add_flag("!--no-report", options.pictures, "Leave report.html and the pictures out");
+
+  CLI::App* study = app.add_subcommand("study", "Error against run time: uniform and adaptive, degree 1 and 2");
+  add_scene(study);
+  add_folder(study, ".study");
 
   CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
   add_scene(check);
@@ -62,10 +72,11 @@ Status perform(int argc, char** argv) {
     return Status::done;
   }
   if (run->parsed()) return bracket::apps::run(options);
+  if (study->parsed()) return bracket::apps::study(options.scene, options.overrides, options.folder);
   if (check->parsed()) bracket::apps::check(options.scene, options.overrides);
   if (info->parsed()) bracket::apps::info(mesh);
   if (app.get_subcommands().empty())
-    throw Error(Status::input, "expected a command: run, check or info (see bracket --help)");
+    throw Error(Status::input, "expected a command: run, study, check or info (see bracket --help)");
   return Status::done;
 }
 

@@ -1,9 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "apps/report.h"
+#include "apps/json.h"
+#include "apps/numbers.h"
 
 namespace bracket::apps {
 namespace {
@@ -23,19 +27,39 @@ std::string name(scene::Status status) {
   return {};
 }
 
-Json phases(double assemble, const contact::Seconds& seconds) {
-  return {{"assemble", assemble},
-          {"order", seconds.order},
-          {"factorise", seconds.factorise},
-          {"contact", seconds.contact},
-          {"recover", seconds.recover}};
+Json phases(const Phases& seconds) {
+  Json json;
+  for (std::size_t i = 0; i < seconds.size(); ++i) json[phase_names[i]] = seconds[i];
+  return json;
 }
 
 Json interface_problem(int rows, int active, int iterations) {
   return {{"rows", rows}, {"active", active}, {"iterations", iterations}};
 }
 
-Json level_json(const bounds::Level& level) {
+Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscillation) {
+  return {{"tolerance", bounds::Checks::tolerance},
+          {"penetration", checks.penetration},
+          {"equilibrium", checks.equilibrium},
+          {"interface_jump", checks.interface_jump},
+          {"boundary_traction", checks.boundary_traction},
+          {"tension", checks.tension},
+          {"gap_identity", checks.gap_identity},
+          {"data_oscillation",
+           {{"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}}}};
+}
+
+Json quality_json(const scene::Mesh<2>& mesh) {
+  const scene::Quality quality = scene::quality(mesh);
+  return {{"smallest_angle", quality.smallest_angle},
+          {"largest_angle", quality.largest_angle},
+          {"smallest_area", quality.smallest_area},
+          {"largest_area", quality.largest_area}};
+}
+
+}  // namespace
+
+Json level_json(const bounds::Level& level, const LevelSeconds& around) {
   const bounds::Seconds& seconds = level.seconds;
   Json contact = interface_problem(level.contact_rows, level.contact_active, level.contact_iterations);
   contact["dual"] =
@@ -57,31 +81,24 @@ Json level_json(const bounds::Level& level) {
             {"dual", seconds.dual},
             {"estimate", seconds.estimate},
             {"total", seconds.total},
-            {"primal_phases", phases(level.primal_assemble, level.primal_phases)},
-            {"dual_phases", phases(level.dual_assemble, level.dual_phases)}}},
+            {"write", around.write},
+            {"elapsed", around.elapsed},
+            {"primal_phases", phases(primal_phases(level))},
+            {"dual_phases", phases(dual_phases(level))}}},
           {"contact", std::move(contact)}};
 }
 
-Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscillation) {
-  return {{"tolerance", bounds::Checks::tolerance},
-          {"penetration", checks.penetration},
-          {"equilibrium", checks.equilibrium},
-          {"interface_jump", checks.interface_jump},
-          {"boundary_traction", checks.boundary_traction},
-          {"tension", checks.tension},
-          {"gap_identity", checks.gap_identity},
-          {"data_oscillation",
-           {{"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}}}};
+double relative_width(const bounds::Outcome<2>& outcome) {
+  const double size = std::max(std::abs(outcome.lower), std::abs(outcome.upper));
+  return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
 }
-
-}  // namespace
 
 std::string report_json(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   const bounds::Level& last = outcome.levels.back();
-  const scene::Quality quality = scene::quality(outcome.problem.mesh);
   Json levels = Json::array();
-  for (const bounds::Level& level : outcome.levels) levels.push_back(level_json(level));
+  for (std::size_t i = 0; i < outcome.levels.size(); ++i)
+    levels.push_back(level_json(outcome.levels[i], report.around[i]));
   const Json json = {{"schema", 1},
                      {"generator", "bracket"},
                      {"version", BRACKET_VERSION},
@@ -92,22 +109,20 @@ std::string report_json(const Report& report) {
                      {"degree", report.scene.solve.degree},
                      {"dual", report.scene.solve.dual},
                      {"guarantee", outcome.guarantee},
-                     {"status", name(outcome.status)},
+                     {"status", report.running ? "running" : name(outcome.status)},
                      {"reason", outcome.reason},
-                     {"energy", {{"lower", last.bracket.lower}, {"upper", last.bracket.upper}}},
-                     {"relative_width", last.bracket.relative_width},
-                     {"relative_error_bound", last.bracket.relative_error_bound},
-                     {"error_bound", last.bracket.error_bound},
+                     {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
+                     {"relative_width", relative_width(outcome)},
+                     {"relative_error_bound", outcome.relative_error_bound},
+                     {"error_bound", std::sqrt(2 * std::max(0.0, outcome.upper - outcome.lower))},
                      {"mean_stress_error_bound", last.bracket.mean_stress_error_bound},
                      {"oscillation_energy", last.oscillation_energy},
                      {"levels", levels},
                      {"checks", checks_json(last.checks, outcome.problem.oscillation)},
-                     {"quality",
-                      {{"smallest_angle", quality.smallest_angle},
-                       {"largest_angle", quality.largest_angle},
-                       {"smallest_area", quality.smallest_area},
-                       {"largest_area", quality.largest_area}}},
+                     {"quality", quality_json(outcome.problem.mesh)},
+                     {"seconds", {{"read", report.read}, {"pictures", report.pictures}}},
                      {"skipped", outcome.skipped},
+                     {"missing", report.missing},
                      {"notes", outcome.problem.mesh.notes}};
   // Names come from files that may hold any bytes; what is not UTF-8 is replaced, rather than the report refused.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -116,14 +131,21 @@ std::string report_json(const Report& report) {
 std::string history_csv(const Report& report) {
   std::string text =
       "level,cells,primal_dofs,dual_dofs,lower,upper,relative_width,relative_error_bound,contact_rows,contact_active,"
-      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_total\n";
-  int number = 0;
-  for (const bounds::Level& level : report.outcome.levels)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number++, level.cells, level.primal_dofs,
-                        level.dual_dofs, level.bracket.lower, level.bracket.upper, level.bracket.relative_width,
-                        level.bracket.relative_error_bound, level.contact_rows, level.contact_active,
-                        level.contact_iterations, level.seconds.mesh, level.seconds.primal, level.seconds.dual,
-                        level.seconds.estimate, level.seconds.total);
+      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_total,seconds_write,"
+      "seconds_elapsed";
+  for (const char* formulation : {"primal", "dual"})
+    for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
+  text += "\n";
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
+                        level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                        level.bracket.relative_width, level.bracket.relative_error_bound, level.contact_rows,
+                        level.contact_active, level.contact_iterations, level.seconds.mesh, level.seconds.primal,
+                        level.seconds.dual, level.seconds.estimate, level.seconds.total, report.around[i].write,
+                        report.around[i].elapsed, fmt::join(primal_phases(level), ","),
+                        fmt::join(dual_phases(level), ","));
+  }
   return text;
 }
 

@@ -5,22 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/numbers.h"
 #include "apps/report.h"
+#include "apps/samples.h"
 
 namespace bracket::apps {
 namespace {
-
-// A bound with two digits, never below the number that it stands for.
-std::string rounded_up(double bound) {
-  if (bound == 0) return "0";
-  const double unit = std::pow(10, std::floor(std::log10(bound)) - 1);
-  return fmt::format("{:.2g}", std::ceil(bound / unit) * unit);
-}
-
-std::string percent(double ratio) {
-  if (!std::isfinite(ratio)) return "unknown";  // u_h does not deform: nothing to compare with
-  return rounded_up(100 * ratio) + " %";
-}
 
 std::string explanation(const Report& report) {
   if (report.outcome.guarantee == "none")
@@ -30,32 +20,37 @@ std::string explanation(const Report& report) {
       "equilibrium, not above the potential energy of displacements that respect the contact. The error of either\n"
       "field, in the energy norm, is at most the square root of twice the width: {}.\n"
       "Guarantee: {} (rounding errors are checked below, not bounded).\n",
-      rounded_up(report.outcome.levels.back().bracket.error_bound), report.outcome.guarantee);
+      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))), report.outcome.guarantee);
 }
 
-std::string level_table(const std::vector<bounds::Level>& levels) {
-  std::string text = fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>8} {:>8}\n", "level", "cells",
+std::string level_table(const Report& report) {
+  std::string text = fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8}\n", "level", "cells",
                                  "displacements", "stresses", "lower bound", "upper bound", "error", "seconds");
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const bounds::Level& level = levels[i];
-    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>8} {:>8.2f}\n", i, level.cells, level.primal_dofs,
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8.2f}\n", i, level.cells, level.primal_dofs,
                         level.dual_dofs, level.bracket.lower, level.bracket.upper,
                         percent(level.bracket.relative_error_bound), level.seconds.total);
   }
-  const bounds::Seconds& seconds = levels.back().seconds;
-  return text + fmt::format(
-                    "      (unknowns of either formulation; last level: mesh {:.2f} s, displacements {:.2f} s, "
-                    "stresses {:.2f} s, estimate {:.2f} s)\n",
-                    seconds.mesh, seconds.primal, seconds.dual, seconds.estimate);
+  return text + "      (unknowns of either formulation; each level's own bounds, of which the interval is the intersection)\n";
+}
+
+std::string seconds_table(const Report& report) {
+  const Spent sum = spent(report.outcome.levels);
+  double write = 0;
+  for (const LevelSeconds& level : report.around) write += level.write;
+  std::string text = "\nSeconds         ";
+  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
+  text += fmt::format("{:>10}\n  displacements {:>10.2f}{:>10.2f}\n  stresses      {:>10.2f}{:>10.2f}\n", "all",
+                      fmt::join(sum.primal_phases, ""), sum.primal, fmt::join(sum.dual_phases, ""), sum.dual);
+  return text + fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, write {:.2f}, pictures {:.2f}\n",
+                            report.read, sum.mesh, sum.estimate, write, report.pictures);
 }
 
 // What one pair transmits: its resultant, largest pressure and the length of the edges that carry it.
 std::string pair_line(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
-  const auto largest_on = [&](std::size_t facet) { return std::ranges::max(report.contact[facet].pressure); };
-  double largest = 0;
-  for (std::size_t i = 0; i < problem.contact.size(); ++i)
-    if (problem.contact[i].pair == pair) largest = std::max(largest, largest_on(i));
+  const double largest = largest_pressure(problem, report.contact, pair);
   double force = 0, pressed = 0, whole = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     if (problem.contact[i].pair != pair) continue;
@@ -63,7 +58,7 @@ std::string pair_line(const Report& report, int pair) {
     const double length = scene::length(problem.mesh, problem.contact[i].first);
     force += length * (a + b) / 2;
     whole += length;
-    if (largest_on(i) > bounds::Checks::tolerance * largest) pressed += length;  // open edges carry rounding errors
+    if (presses(report.contact[i], largest)) pressed += length;
   }
   return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
                      report.scene.contact[pair].first, report.scene.contact[pair].second, force, largest, pressed,
@@ -114,9 +109,9 @@ std::string data_text(const Report& report) {
 
 std::string headline(const Report& report) {
   if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
-  const bounds::Bracket& bracket = report.outcome.levels.back().bracket;
-  return fmt::format("energy in [{}, {}]   relative width {:.1e}   guaranteed relative error {}\n", bracket.lower,
-                     bracket.upper, bracket.relative_width, percent(bracket.relative_error_bound));
+  return fmt::format("energy in [{}, {}]   relative width {}   guaranteed relative error {}\n", report.outcome.lower,
+                     report.outcome.upper, rounded_up_exponent(relative_width(report.outcome)),
+                     percent(report.outcome.relative_error_bound));
 }
 
 std::string report_text(const Report& report) {
@@ -125,8 +120,8 @@ std::string report_text(const Report& report) {
   text += fmt::format("Scene: {}; plane {}{}\n", report.scene.file, report.scene.plane,
                       report.scene.units.empty() ? "" : "; units " + report.scene.units);
   text += explanation(report) + "\n";
-  if (outcome.guarantee != "none") text += level_table(outcome.levels);
-  text += contact_text(report) + checks_text(outcome.levels.back().checks) + data_text(report);
+  if (outcome.guarantee != "none") text += level_table(report);
+  text += contact_text(report) + checks_text(outcome.levels.back().checks) + data_text(report) + seconds_table(report);
   if (outcome.status == scene::Status::budget) text += fmt::format("Budget: {}\n", outcome.reason);
   if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, ";\n            "));
   return text;

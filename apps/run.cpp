@@ -7,37 +7,93 @@
 #include <iostream>
 #include <utility>
 
+#include "apps/clock.h"
 #include "apps/commands.h"
 #include "apps/folder.h"
-#include "apps/report.h"
+#include "apps/interrupt.h"
+#include "apps/pictures.h"
+#include "apps/progress.h"
 #include "apps/vtk.h"
 
 namespace bracket::apps {
 namespace {
 
-constexpr const char* clear_line = "\r\033[K";
+/// Keeps the folder of results up to date while a run is going on: it tells of `around.size()` levels.
+struct Results {
+  const scene::Scene<2>& scene;
+  std::filesystem::path folder;
+  Clock clock;      // of the command
+  double read = 0;  // seconds
+  std::vector<LevelSeconds> around = {};
+};
 
-bounds::Outcome<2> solve(const scene::Scene<2>& scene, bool show_progress) {
-  if (!show_progress) return bounds::run(scene);
-  struct ClearOnReturn {
-    ~ClearOnReturn() { std::fputs(clear_line, stderr); }
-  } const clear;
-  bounds::Observer<2> observer;
-  observer.stage = [](const std::string& stage) { fmt::print(stderr, "{}{} …", clear_line, stage); };
-  return bounds::run(scene, observer);
+Report report(const Results& results, const bounds::Outcome<2>& outcome) {
+  return {.scene = results.scene,
+          .outcome = outcome,
+          .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+          .read = results.read,
+          .around = results.around,
+          .missing = {}};
 }
 
-void write_results(const std::filesystem::path& folder, const Report& report, const std::string& json) {
+// The fields of the last level, and the collection of all.
+void write_fields(const std::filesystem::path& folder, const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
-  std::vector<std::string> plots = {"solution_0.vtu"};
-  write_file(folder, plots[0], solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator));
-  if (!outcome.problem.contact.empty()) {
-    plots.push_back("contact_0.vtu");
-    write_file(folder, plots[1], contact_vtu(outcome.problem, report.contact, outcome.indicator));
+  const int level = static_cast<int>(outcome.levels.size()) - 1;
+  const bool contact = !outcome.problem.contact.empty();
+  write_file(folder, fmt::format("solution_{}.vtu", level),
+             solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator));
+  if (contact)
+    write_file(folder, fmt::format("contact_{}.vtu", level),
+               contact_vtu(outcome.problem, report.contact, outcome.indicator));
+  write_file(folder, "solution.pvd", collection_pvd(level + 1, contact));
+}
+
+void write_level(Results& results, const bounds::Outcome<2>& outcome) {
+  results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
+  const Clock clock;
+  Report so_far = report(results, outcome);
+  so_far.running = true;
+  write_fields(results.folder, so_far);
+  write_file(results.folder, "history.csv", history_csv(so_far));
+  so_far.around.back().write = results.around.back().write = clock.seconds();
+  write_file(results.folder, "report.json", report_json(so_far));
+}
+
+bounds::Outcome<2> solve(Results& results, bool show_progress) {
+  const Interrupt interrupt;
+  const Progress progress(show_progress);
+  std::stop_source stop;
+  bounds::Observer<2> observer;
+  observer.stop = stop.get_token();
+  observer.stage = [&](const std::string& stage) {
+    progress.show(stage);
+    if (interrupt.requested()) stop.request_stop();
+  };
+  observer.level = [&](const bounds::Outcome<2>& so_far) {
+    progress.show("writing");
+    write_level(results, so_far);
+    if (interrupt.requested()) stop.request_stop();
+  };
+  return bounds::run(results.scene, observer);
+}
+
+/// Draws the pictures and writes them and report.html; tells the report what is missing.
+void write_pictures(const Results& results, Report& report, bool png) {
+  const Clock clock;
+  Drawings drawings;
+  if (report.outcome.guarantee != "none") drawings = draw(pictures(report), png);
+  for (const Drawing& drawing : drawings.drawn) {
+    write_file(results.folder, drawing.name + ".svg", drawing.svg);
+    if (!drawing.png.empty()) write_file(results.folder, drawing.name + ".png", drawing.png);
   }
-  write_file(folder, "solution.pvd", collection_pvd(plots));
-  write_file(folder, "history.csv", history_csv(report));
-  write_file(folder, "report.json", json);
+  report.missing = std::move(drawings.missing);
+  report.pictures = clock.seconds();
+  write_file(results.folder, "report.html", report_html(report, drawings.drawn));
+}
+
+void print_notes(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print(stderr, "note: {}\n", line);
 }
 
 std::string emphasised(std::string line) {
@@ -47,31 +103,37 @@ std::string emphasised(std::string line) {
   return "\033[1m" + line;
 }
 
+std::string where(const std::filesystem::path& folder, bool with_pictures) {
+  return fmt::format("Report: {}{}, for ParaView: {}\n", with_pictures ? (folder / "report.html").string() + ", " : "",
+                     (folder / "report.json").string(), (folder / "solution.pvd").string());
+}
+
 }  // namespace
 
 scene::Status run(const RunOptions& options) {
+  const Clock clock;
   const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
-  const std::filesystem::path folder =
-      options.folder.empty() ? std::filesystem::path(options.scene.stem().string() + ".out") : options.folder;
-  prepare_folder(folder);  // before the work, so that a folder that cannot be used is known at once
+  Results results{.scene = scene, .folder = results_folder(options.folder, options.scene, ".out"), .clock = clock, .read = clock.seconds()};
+  prepare_folder(results.folder);  // before the work, so that a folder that cannot be used is known at once
 
-  Report report{scene, solve(scene, isatty(STDERR_FILENO) && !options.quiet), {}};
-  const bounds::Outcome<2>& outcome = report.outcome;
+  const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
-  report.contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress);
-  if (!options.quiet)
-    for (const std::string& note : outcome.problem.mesh.notes) fmt::print(stderr, "note: {}\n", note);
-
+  if (results.around.size() < outcome.levels.size()) write_level(results, outcome);  // of a level that failed its checks
+  Report report = apps::report(results, outcome);
+  if (options.pictures) write_pictures(results, report, options.png);
   const std::string json = report_json(report);
-  write_results(folder, report, json);
+  write_file(results.folder, "history.csv", history_csv(report));
+  write_file(results.folder, "report.json", json);
+
+  if (!options.quiet) {
+    print_notes(outcome.problem.mesh.notes);
+    print_notes(report.missing);
+  }
   if (options.json) {
     std::cout << json;
   } else {
     std::cout << emphasised(headline(report));
-    if (!options.quiet)
-      std::cout << report_text(report)
-                << fmt::format("Report: {}, for ParaView: {}\n", (folder / "report.json").string(),
-                               (folder / "solution.pvd").string());
+    if (!options.quiet) std::cout << report_text(report) << where(results.folder, options.pictures);
   }
   return outcome.status;
 }

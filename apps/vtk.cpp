@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "apps/samples.h"
+
 namespace bracket::apps {
 namespace {
 
@@ -108,16 +110,6 @@ void append(std::vector<double>& points, const scene::Vector<2>& point) {
   points.insert(points.end(), {point.x(), point.y(), 0.0});
 }
 
-/// The shape functions of the quadratics are −1/9 at the vertices' nodes there, 4/9 at those of the edges.
-scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell) {
-  scene::Vector<2> vertices = scene::Vector<2>::Zero(), edges = vertices;
-  for (int k = 0; k < 3; ++k) {
-    vertices += displacement.vertex[mesh.cells[cell][k]];
-    if (displacement.degree == 2) edges += displacement.edge[mesh.cell_edges[cell][k]];
-  }
-  return displacement.degree == 2 ? scene::Vector<2>((4 * edges - vertices) / 9) : scene::Vector<2>(vertices / 3);
-}
-
 }  // namespace
 
 std::string solution_vtu(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
@@ -184,14 +176,17 @@ std::string contact_vtu(const scene::Problem<2>& problem, const std::vector<boun
   return vtu(grid);
 }
 
-std::string collection_pvd(const std::vector<std::string>& files) {
+std::string collection_pvd(int levels, bool contact) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
-  for (std::size_t part = 0; part < files.size(); ++part)
-    text += fmt::format(R"(<DataSet timestep="0" part="{}" file="{}"/>)"
-                        "\n",
-                        part, files[part]);
+  const auto add = [&text](int level, int part, const char* name) {
+    text += fmt::format("<DataSet timestep=\"{0}\" part=\"{1}\" file=\"{2}_{0}.vtu\"/>\n", level, part, name);
+  };
+  for (int level = 0; level < levels; ++level) {
+    add(level, 0, "solution");
+    if (contact) add(level, 1, "contact");
+  }
   return text + "</Collection>\n</VTKFile>\n";
 }
 

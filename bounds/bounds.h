@@ -79,8 +79,9 @@ template <int dim>
 Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                 const dual::Stress<dim>& stress, const Indicator& indicator);
 
-/// What fixing the data edgewise did to the energy, to first order, each facet counted in absolute value:
-///     Σ |∫ (P − P_h)·u_h| + |∫ λ_h n·(u0 − u0_h)| + |∫ p_h (g − g_h)|
+/// An estimate of what fixing the data edgewise did to the energy, to first order and in absolute value:
+///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
+/// where I u_h is linear on each facet (degree 1: its mean), to which P − P_h is orthogonal.
 /// \pre `problem` is fix_data() of `scene`, on its own mesh
 template <int dim>
 double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,

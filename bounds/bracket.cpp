@@ -77,17 +77,23 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     };
     const double length = scene::length(mesh, facet);
     if (data.support == Support::traction) {
+      // What was taken off is orthogonal to linear functions; of linear displacements only the mean is taken off, as what
+      // they lack of the exact ones is not known.
       const auto u = on_facet(mesh, displacement, facet);
-      energy += std::abs(over_facet(length, [&](double s) {
-        return (vector_at(s) - linear(data.traction, s)).dot(quadratic(u, s));
-      }));
+      const std::array<Vector<dim>, 2> ends_of_u = {u[0], u[1]};
+      const Vector<dim> mean = (u[0] + u[1]) / 2;
+      energy += over_facet(length, [&](double s) {
+        const Vector<dim> rest = displacement.degree == 2 ? Vector<dim>(quadratic(u, s) - linear(ends_of_u, s))
+                                                          : Vector<dim>(linear(ends_of_u, s) - mean);
+        return (vector_at(s) - linear(data.traction, s)).norm() * rest.norm();
+      });
     } else {
       const auto t = tractions(mesh, stress, facet);
-      energy += std::abs(over_facet(length, [&](double s) {
+      energy += over_facet(length, [&](double s) {
         const Vector<dim> fixed = data.support == Support::fixed ? linear(data.displacement, s)
                                                                  : Vector<dim>(linear(data.normal_displacement, s) * n);
-        return (vector_at(s) - fixed).dot(linear(t, s));
-      }));
+        return std::abs((vector_at(s) - fixed).dot(linear(t, s)));
+      });
     }
   }
   const auto states = contact_state(problem, displacement, stress);
@@ -95,9 +101,9 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto& pair = problem.contact[j];
     const auto& ends = mesh.boundary[pair.first].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
-    energy += std::abs(over_facet(scene::length(mesh, pair.first), [&](double s) {
-      return linear(states[j].pressure, s) * (scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s));
-    }));
+    energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
+      return std::abs(linear(states[j].pressure, s) * (scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s)));
+    });
   }
   return energy;
 }

@@ -10,7 +10,7 @@ namespace bracket::contact {
 /// The problem in the multipliers:  min ½ pᵀF p − pᵀw  over  p ≥ 0, Gᵀp = e.
 /// With α the multipliers of Gᵀp = e, the slacks g − r are F p − w − G α.
 struct Interface {
-  Eigen::MatrixXd compliance;  ///< F, m × m, symmetric, positive semi-definite; definite where Gᵀp = 0 and no rows depend
+  Eigen::MatrixXd compliance;  ///< F, m × m, symmetric; positive where Gᵀp = 0 and no rows depend on each other
   Eigen::VectorXd overlap;     ///< w, m: the approach that the loads would cause without contact, less the gap
   Eigen::VectorXd size;        ///< m: what w is a difference of, absolute; so its rounding is known
   Eigen::MatrixXd motion;      ///< G, m × k, full column rank
@@ -37,8 +37,8 @@ Scaled scaled(const Interface& problem);
 struct Equality {
   Eigen::VectorXd pressure;       ///< p, m
   Eigen::VectorXd motion;         ///< α, k
-  Eigen::VectorXd pressure_size;  ///< what these are sums of, absolute; so their rounding is known: it shows where bodies
-  Eigen::VectorXd motion_size;    ///< are stiff and gaps wide, or a pressure is zero
+  Eigen::VectorXd pressure_size;  ///< what these two are sums of, absolute; so their rounding is known: it shows where
+  Eigen::VectorXd motion_size;    ///< bodies are stiff and gaps wide, or where a pressure is zero
 };
 
 /// α of that minimum, and what it is a sum of, from a Cholesky factor L of (F + G Gᵀ)_AA.

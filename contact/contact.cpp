@@ -123,15 +123,19 @@ struct State {
 };
 
 /// One step of iterative refinement on the whole: what K u + Bᵀ p = f, the closed rows and Gᵀ p = e still lack.
-/// Rigid motions stay out of the residuals, so a large one does no harm.
-State refined(const std::vector<Body>& bodies, const std::vector<Condensed>& condensed, const Statics& statics,
-              const VectorXd& gap, const Scaled& interface, const std::vector<Index>& active, State state) {
+/// Rigid motions stay out of the residuals, so a large one does no harm. The rounding of all n rows of K adds up along
+/// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
+State refined(const std::vector<Body>& bodies, const std::vector<Motions>& bases,
+              const std::vector<Condensed>& condensed, const Statics& statics, const VectorXd& gap,
+              const Scaled& interface, const std::vector<Index>& active, State state) {
   std::vector<VectorXd> residual;
   VectorXd misfit = statics.rows * state.motion - gap;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Body& body = bodies[b];
-    residual.push_back(body.load - body.rows.transpose() * state.pressure -
-                       body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b]);
+    VectorXd carried = body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
+    const MatrixXd& basis = bases[b].basis;  // basisᵀ basis = n
+    if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
+    residual.push_back(body.load - body.rows.transpose() * state.pressure - carried);
     misfit += body.rows * (state.elastic[b] + condensed[b].apply(residual[b]));
   }
   VectorXd change = VectorXd::Zero(gap.size());
@@ -225,7 +229,7 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < bodies.size(); ++b)
     state.elastic.push_back(elastic_displacement(bodies[b], condensed[b], bodies[b].load, state.pressure));
-  state = refined(bodies, condensed, balanced, gap, interface, found.active, std::move(state));
+  state = refined(bodies, bases, condensed, balanced, gap, interface, found.active, std::move(state));
 
   const VectorXd motion = balanced.resisted * state.motion;
   Index first = 0;

@@ -39,8 +39,8 @@ enum class Outcome {
 struct Solution {
   Outcome outcome = Outcome::solved;
   std::vector<Eigen::VectorXd> displacement;  ///< u of each body
-  /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a stiff
-  /// body on a soft one).
+  /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a
+  /// stiff body on a soft one).
   std::vector<Eigen::VectorXd> elastic;
   Eigen::VectorXd pressure;                   ///< p ≥ 0, m; exactly 0 off the active rows
   std::vector<char> active;                   ///< m: 1 where the row is closed (p may be > 0)
@@ -64,6 +64,7 @@ void set_blas_threads(int count);
 ///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
 /// Each K is factorised once, the unknowns that B touches last. Without rows (m = 0) each body is just solved; without
 /// rigid motions nothing is balanced.
+/// \pre at least one body; matrices compressed, their rows sorted
 /// \param gap g, m
 /// \param guess rows expected to be active (m entries, or empty: all)
 Solution solve(const std::vector<Body>& bodies, const Eigen::VectorXd& gap, const std::vector<char>& guess = {});

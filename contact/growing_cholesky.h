@@ -5,8 +5,8 @@
 
 namespace bracket::contact {
 
-/// A Cholesky factor L (its diagonal of either sign) of a matrix to which rows and columns are added at the end and taken
-/// out anywhere.
+/// A Cholesky factor L (its diagonal of either sign) of a matrix to which rows and columns are added at the end and
+/// taken out anywhere.
 class GrowingCholesky {
  public:
   /// \param most the largest order there will be

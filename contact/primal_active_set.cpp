@@ -81,7 +81,7 @@ class WorkingSet {
   GrowingCholesky cholesky_;
 };
 
-/// The support of `start`, extended row by row (the one farthest from the span of those before) until G_W has full rank.
+/// The support of `start`, extended row by row (the farthest from the span of those before) until G_W has full rank.
 WorkingSet first_working_set(const Interface& problem, const VectorXd& start) {
   WorkingSet set(problem);
   MatrixXd left = problem.motion;  // less its projection on the rows of the set
@@ -123,7 +123,8 @@ std::vector<Index> below(const VectorXd& values, double bound, const std::vector
   return result;
 }
 
-/// The row off `set` with the most negative slack, or with `least_index` the first; −1: none is below what rounding may do.
+/// The row off `set` with the most negative slack, or with `least_index` the first; −1: no slack is negative by more
+/// than rounding.
 Index violated(const VectorXd& slack, const VectorXd& rounding, const std::vector<Index>& set, bool least_index) {
   VectorXd excess = -(slack + rounding);
   excess(set).setConstant(-1);

@@ -6,7 +6,7 @@
 namespace bracket::contact {
 
 /// The rigid motions of one body in a basis that does not depend on its units or its distance from the origin:
-/// R = basis · change, the columns of `basis` orthogonal, with entries of the order of one.
+/// R = basis · change, basisᵀ basis = n: the entries are of the order of one.
 struct Motions {
   Eigen::MatrixXd basis;   ///< n × k
   Eigen::MatrixXd change;  ///< k × k

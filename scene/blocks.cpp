@@ -28,7 +28,7 @@ std::vector<PartEdge> grid_boundary(int first, int nx, int ny, int part) {
   return edges;
 }
 
-Mesh<2> build_blocks(const std::vector<Block<2>>& blocks) {
+Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& where) {
   Mesh<2> mesh;
   std::vector<PartEdge> part_edges;
   double cells = 0;
@@ -64,14 +64,14 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks) {
     for (const PartEdge& edge : grid_boundary(first, nx, ny, 4 * body)) part_edges.push_back(edge);
     for (const char* side : {".left", ".right", ".bottom", ".top"}) mesh.parts.push_back(block.body + side);
   }
-  return with_topology(std::move(mesh), part_edges, "mesh.block");
+  return with_topology(std::move(mesh), part_edges, where);
 }
 
 }  // namespace
 
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
   static_assert(dim == 2);
-  if (scene.mesh_file.empty()) return build_blocks(scene.blocks);
+  if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
   try {
     return read_gmsh<dim>(scene.mesh_file);
   } catch (const Error& error) {

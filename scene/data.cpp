@@ -12,11 +12,14 @@ namespace bracket::scene {
 
 namespace {
 
-int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where) {
+/// \param others names that might be meant as well
+int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where,
+               const std::vector<std::string>& others = {}) {
   const auto found = std::find(mesh.parts.begin(), mesh.parts.end(), name);
   if (found == mesh.parts.end()) {
-    fail(Status::input, where,
-         fmt::format("the mesh has no boundary part '{}': {}", name, suggestion(name, mesh.parts)));
+    std::vector<std::string> known = others;
+    known.insert(known.end(), mesh.parts.begin(), mesh.parts.end());
+    fail(Status::input, where, fmt::format("the mesh has no boundary part '{}': {}", name, suggestion(name, known)));
   }
   return static_cast<int>(found - mesh.parts.begin());
 }
@@ -59,8 +62,8 @@ std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
   std::vector<ContactFacet> contact;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
-    const auto claim = [&](const std::string& name) {
-      const int part = part_named(mesh, name, pair.where);
+    const auto claim = [&](const std::string& name, const std::vector<std::string>& others = {}) {
+      const int part = part_named(mesh, name, pair.where, others);
       if (conditions[part] != nullptr) {
         fail(Status::input, pair.where,
              fmt::format("the part '{}' is in contact and has a condition of its own ({})", name,
@@ -77,12 +80,15 @@ std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
     };
     const int first = claim(pair.first);
     if (pair.second == "rigid") {
+      if (std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end()) {
+        fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
+      }
       for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
         if (mesh.boundary[facet].part != first) continue;
         contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}});
       }
     } else {
-      for (const auto& [one, other] : match_sides(mesh, first, claim(pair.second), pair.where)) {
+      for (const auto& [one, other] : match_sides(mesh, first, claim(pair.second, {"rigid"}), pair.where)) {
         contact.push_back({static_cast<int>(i), one, other, {}});
       }
     }

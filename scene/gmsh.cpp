@@ -92,7 +92,10 @@ void check_plane(const GmshFile& file, const std::vector<int>& vertex_of_node, c
 }
 
 void check_triangles(const GmshFile& file, const std::string& where) {
-  if (file.triangles.empty()) fail(Status::mesh, where, "the mesh has no triangles");
+  if (file.triangles.empty()) {
+    fail(Status::mesh, where,
+         "the mesh has no triangles; Gmsh saves only those in physical surfaces, which name the bodies");
+  }
   if (file.triangles.size() + file.nodes.size() > std::numeric_limits<int>::max() / 8) {
     fail(Status::mesh, where, "the mesh is too large");
   }

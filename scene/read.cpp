@@ -162,7 +162,9 @@ ContactPair<2> read_contact(const toml::table& entry) {
   check_keys(entry, "[[contact]]", {"first", "second", "gap"});
   ContactPair<2> pair;
   pair.where = where(entry);
-  pair.first = label(required(entry, "[[contact]]", "first"), "contact.first");
+  const toml::node& first = required(entry, "[[contact]]", "first");
+  pair.first = label(first, "contact.first");
+  if (pair.first == "rigid") refuse(first, "contact.first must be a boundary part; a rigid wall is the second side");
   pair.second = label(required(entry, "[[contact]]", "second"), "contact.second");
   const toml::node* gap = entry.get("gap");
   pair.gap = gap != nullptr ? function(*gap, "contact.gap") : [](const Vector<2>&) { return 0.0; };

@@ -57,9 +57,12 @@ std::vector<char> bisected_edges(const Problem<2>& problem, const std::vector<ch
 struct Halves {
   std::vector<int> midpoint;  ///< vertex of each edge, −1: not bisected
   std::vector<int> first;     ///< the edge itself or the half at its lower vertex; the other half follows
-
-  int at(const Mesh<2>& old, int edge, int vertex) const { return first[edge] + (old.edges[edge][1] == vertex ? 1 : 0); }
 };
+
+/// The half of an old edge that ends at an old vertex.
+int half_at(const Mesh<2>& old, const Halves& halves, int edge, int vertex) {
+  return halves.first[edge] + (old.edges[edge][1] == vertex ? 1 : 0);
+}
 
 /// Vertices and halved edges of the new mesh; names and notes.
 std::pair<Mesh<2>, Halves> with_halved_edges(const Mesh<2>& old, const std::vector<char>& bisected) {
@@ -131,8 +134,8 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
       return;
     }
     const int nm = add_edge(n, m);
-    add_cell(parent, {n, m, p}, {mp, halves.at(old, pq, p), nm}, 0);
-    add_cell(parent, {n, q, m}, {qm, nm, halves.at(old, pq, q)}, 0);
+    add_cell(parent, {n, m, p}, {mp, half_at(old, halves, pq, p), nm}, 0);
+    add_cell(parent, {n, q, m}, {qm, nm, half_at(old, halves, pq, q)}, 0);
   };
   for (std::size_t i = 0; i < old.cells.size(); ++i) {
     const int parent = static_cast<int>(i);
@@ -147,8 +150,8 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
     const int a = old.cells[i][cut], b = old.cells[i][(cut + 1) % 3], c = old.cells[i][(cut + 2) % 3];
     const int am = add_edge(a, m);
     const std::size_t first = mesh.cells.size();
-    add_half(parent, {m, a, b}, ab, halves.at(old, bc, b), am);
-    add_half(parent, {m, c, a}, ca, am, halves.at(old, bc, c));
+    add_half(parent, {m, a, b}, ab, half_at(old, halves, bc, b), am);
+    add_half(parent, {m, c, a}, ca, am, half_at(old, halves, bc, c));
     const double area = volume(old, parent);
     for (std::size_t child = first; child < mesh.cells.size(); ++child) {
       check_resolved(mesh, static_cast<int>(child), area);
@@ -191,8 +194,8 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
     if (middle == -1) {
       add(facet.vertices, halves.first[facet.edge], old.facets[i]);
     } else {
-      add({a, middle}, halves.at(old.mesh, facet.edge, a), halved(old.facets[i], 0));
-      add({middle, b}, halves.at(old.mesh, facet.edge, b), halved(old.facets[i], 1));
+      add({a, middle}, half_at(old.mesh, halves, facet.edge, a), halved(old.facets[i], 0));
+      add({middle, b}, half_at(old.mesh, halves, facet.edge, b), halved(old.facets[i], 1));
     }
   }
   return {std::move(problem), std::move(first_child)};

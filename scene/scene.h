@@ -226,12 +226,12 @@ template <int dim> struct Refined {
 };
 
 /// Newest-vertex bisection: all three edges of a marked cell are halved (it falls into four), and of others as many as
-/// keep the mesh conforming and the two sides of each contact matched. A cell is cut from the midpoint of its refinement
-/// edge, which in a child is the edge opposite to that midpoint, so that the descendants of one coarse cell have at most
-/// four shapes. The problem stays the same: bodies, names and data are inherited, linear data at midpoints being the
-/// means of the ends and gaps quadratic as before. Children follow one another in the order of their parents; vertices
-/// keep their numbers. Linear in the number of cells.
-/// \pre `marked` has an entry for each cell
+/// keep the mesh conforming and the two sides of each contact matched. A cell is cut from the midpoint of its
+/// refinement edge to the vertex opposite; a child's refinement edge is opposite to that midpoint, so that the
+/// descendants of one coarse cell have at most four shapes. The problem stays the same: bodies, names and data are
+/// inherited; linear data at a midpoint are the mean of the ends, a gap stays the same parabola. The order is that of
+/// the parents, and vertices keep their numbers. Linear in the number of cells.
+/// \pre `marked` has an entry for each cell; the mesh is from build_mesh(), read_gmsh() or refine()
 /// \throw Error (budget) where cells have become so small that rounding of coordinates spoils their shape
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked);
 

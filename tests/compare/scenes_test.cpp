@@ -19,7 +19,8 @@ class EveryScene : public testing::TestWithParam<std::filesystem::path> {};
 TEST_P(EveryScene, bounds_hold_with_both_degrees) {
   std::array<bounds::Bracket, 2> brackets;
   for (const int degree : {1, 2}) {
-    const auto scene = scene::read_scene<2>(GetParam(), {"solve.degree=" + std::to_string(degree)});
+    const auto scene = scene::read_scene<2>(
+        GetParam(), {"solve.degree=" + std::to_string(degree), "refine.strategy=none", "refine.target=0"});
     const auto outcome = bounds::run(scene);
     EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason;
     expect_admissible(outcome);
@@ -31,8 +32,15 @@ TEST_P(EveryScene, bounds_hold_with_both_degrees) {
   EXPECT_LE(brackets[1].upper, brackets[0].upper + 1e-13 * scale);
 }
 
+TEST_P(EveryScene, bounds_hold_on_every_level) {
+  const auto scene = scene::read_scene<2>(GetParam(), {"refine.strategy=adaptive", "refine.target=0", "refine.max_levels=4"});
+  const auto outcome = bounds::run(scene);
+  EXPECT_EQ(outcome.levels.size(), 4u);
+  expect_admissible(outcome);
+}
+
 TEST_P(EveryScene, displacements_close_the_gap_where_stresses_press) {
-  const auto outcome = bounds::run(scene::read_scene<2>(GetParam()));
+  const auto outcome = bounds::run(scene::read_scene<2>(GetParam(), {"refine.strategy=none"}));
   const auto& problem = outcome.problem;
   if (problem.contact.empty()) GTEST_SKIP() << "no contact";
   // Where the stresses press, the displacements leave no gap: ∫ p (g − r) is part of the width, each facet's share ≥ 0.

@@ -54,7 +54,7 @@ void expect_optimal(const Interface& problem, const Pressure& found) {
   const VectorXd terms = problem.compliance.cwiseAbs() * p + problem.size + problem.overlap.cwiseAbs() +
                          problem.motion.cwiseAbs() * found.motion.cwiseAbs();
   const VectorXd slack = problem.compliance * p - problem.overlap - problem.motion * found.motion;
-  // Equality problems are solved through pivots as small as 1e-12 of the diagonal; those that occur here are above 1e-4.
+  // Equality problems are solved through pivots as small as 1e-12 of the diagonal; those here are above 1e-4.
   const double rounding = 1e4 * 10 * eps * terms.maxCoeff();
   EXPECT_TRUE((p.array() >= 0).all());
   EXPECT_LE((problem.motion.transpose() * p - problem.load).norm(), rounding + 1e4 * 10 * eps * p.norm());

@@ -5,8 +5,8 @@
 
 #include <random>
 
-/// Small plane bodies with known rigid motions: pin-jointed trusses with a bar between any two joints. Joints in general
-/// position make such a truss rigid, so that its kernel is exactly the three rigid motions.
+/// Small plane bodies with known rigid motions: pin-jointed trusses with a bar between any two joints. Joints in
+/// general position make such a truss rigid, so that its kernel is exactly the three rigid motions.
 namespace bracket::contact::test {
 
 using Eigen::Index;

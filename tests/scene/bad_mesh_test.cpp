@@ -74,7 +74,7 @@ TEST(BadMesh, FilesThatAreNotWhatIsReadAreRefused) {
 TEST(BadMesh, MeshesThatNoBodyCanHaveAreRefused) {
   const Folder folder;
   const std::map<std::string, std::pair<GmshContent, std::vector<std::string>>> cases = {
-      {"no triangles", {changed([](GmshContent& c) { c.triangles.clear(); }), {"no triangles"}}},
+      {"no triangles", {changed([](GmshContent& c) { c.triangles.clear(); }), {"no triangles", "physical surfaces"}}},
       {"no surface",
        {changed([](GmshContent& c) { c.triangles[2].physical = 0; }), {"triangle 6", "physical surface"}}},
       {"degenerate",

@@ -91,6 +91,7 @@ TEST(BadScene, IsRefusedWithItsPlace) {
       // contact
       {"first = \"upper.bottom\"", "frist = \"upper.bottom\"", {":28:1", "'frist'", "'first'"}},
       {"first = \"upper.bottom\"\n", "", {":27:1", "'first' is missing"}},
+      {"first = \"upper.bottom\"", "first = \"rigid\"", {":28:9", "contact.first", "second side"}},
       {"second = \"lower.top\"", "second = 3", {"contact.second must be a string"}},
       {"gap = \"0.01*x^2\"", "gap = inf", {"contact.gap must be finite"}},
       {"gap = \"0.01*x^2\"", "gap = [0]", {"contact.gap"}},
@@ -182,6 +183,12 @@ TEST(BadScene, BlocksThatCannotBeAreRefused) {
   expect_refused([&] { build_mesh(scene); }, "twice", {"other:", "'a'"});
   scene.blocks = {{"a", {{{0, 1}, {0, 1}}}, {2000000000, 2000000000}, "here"}};
   expect_refused([&] { build_mesh(scene); }, "too many", {"here:", "cells"});
+  scene.blocks = {{"a", {{{1, 1 + 1e-15}, {0, 1}}}, {8, 8}, "here"}};
+  scene.mesh_where = "the mesh";
+  const auto thin = error_of([&] { build_mesh(scene); });
+  ASSERT_TRUE(thin.has_value());
+  EXPECT_EQ(thin->status(), Status::mesh);
+  EXPECT_EQ(std::string(thin->what()).find("the mesh: "), 0u) << thin->what();
 }
 
 }  // namespace

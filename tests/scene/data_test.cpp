@@ -166,12 +166,13 @@ TEST(Data, ContradictionsAreRefused) {
   const Condition<2> fixed_here = {ConditionKind::fixed, {constant(1), constant(0)}, "here"};
   const Condition<2> pressed = {ConditionKind::pressure, {constant(1)}, "there"};
   Scene<2> contact_twice = scene_with({}), same_side = scene_with({}), odd_gap = scene_with({}),
-           unknown_side = scene_with({});
+           unknown_side = scene_with({}), unknown_wall = scene_with({});
   contact_twice.contact.push_back({"a.left", "b.bottom", constant(0), "here"});
   same_side.contact[0] = {"a.top", "a.top", constant(0), "here"};
   odd_gap.contact[0].gap = root;
   odd_gap.contact[0].where = "here";
   unknown_side.contact[0].second = "b.botom";
+  unknown_wall.contact[0].second = "rigd";
   Scene<2> no_body = scene_with({}), other_body = scene_with({});
   no_body.file = "the scene";
   no_body.bodies.erase("b");
@@ -180,6 +181,7 @@ TEST(Data, ContradictionsAreRefused) {
   const std::map<std::string, Bad> cases = {
       {"unknown part", {scene_with({{"a.botom", fixed_here}}), {"here:", "'a.botom'", "'a.bottom'", "b.top"}}},
       {"unknown contact side", {unknown_side, {"'b.botom'", "'b.bottom'"}}},
+      {"unknown wall", {unknown_wall, {"'rigd'", "did you mean 'rigid'", "b.bottom"}}},
       {"contact and pressure", {scene_with({{"b.bottom", pressed}}), {"'b.bottom'", "contact", "there"}}},
       {"two pairs", {contact_twice, {"here:", "'b.bottom'", "another contact pair"}}},
       {"first is second", {same_side, {"here:", "'a.top'", "same"}}},
@@ -206,6 +208,20 @@ TEST(Data, ContradictionsAreRefused) {
       EXPECT_NE(std::string(error->what()).find(part), std::string::npos) << name << ": " << error->what();
     }
   }
+}
+
+// A part of that name would be taken for a wall without a word.
+TEST(Data, PartNamedRigidIsRefusedWhereAWallIsMeant) {
+  Scene<2> scene = stacked(2, {});
+  Mesh<2> mesh = build_mesh(scene);
+  std::replace(mesh.parts.begin(), mesh.parts.end(), std::string("b.top"), std::string("rigid"));
+  EXPECT_NO_THROW(fix_data(scene, mesh));
+  scene.contact[0].second = "rigid";
+  scene.contact[0].where = "here";
+  const auto error = error_of([&] { fix_data(scene, mesh); });
+  ASSERT_TRUE(error.has_value());
+  EXPECT_EQ(error->status(), Status::input);
+  EXPECT_EQ(std::string(error->what()).find("here: 'rigid'"), 0u) << error->what();
 }
 
 // Two collinear sliding parts meet at a vertex: there they prescribe the same component.

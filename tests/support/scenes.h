@@ -70,6 +70,23 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
   return s;
 }
 
+/// The Airy stress x² y², i.e. σ = (2x², 2y², −4xy), on the unit square: its tractions are linear on each side, and it is
+/// compatible in an orthotropic material with S66 = −2 S12. Quadratic stress, cubic displacement: in neither space, with
+/// data that every mesh carries exactly. L(u) = −½ ∫ σ : C⁻¹ σ = −½ (8/5 + (8 S12 + 16 S66)/9) = −1.2.
+inline scene::Scene<2> smooth(int n) {
+  scene::Scene<2> s;
+  s.blocks = {block("b", 0, 1, 0, 1, n, n)};
+  scene::Elasticity<2> compliance;
+  compliance << 1, -0.3, 0, -0.3, 1, 0, 0, 0, 0.6;
+  s.bodies = {{"b", scene::anisotropic<2>(compliance.inverse())}};
+  s.boundary = {
+      {"b.right", traction(constant(2), [](const Vector<2>& x) { return -4 * x[1]; })},
+      {"b.top", traction([](const Vector<2>& x) { return -4 * x[0]; }, constant(2))},
+  };
+  return s;
+}
+inline constexpr double smooth_energy = -1.2;
+
 inline scene::Problem<2> problem(const scene::Scene<2>& s) { return scene::fix_data(s, scene::build_mesh(s)); }
 
 }  // namespace bracket::tests

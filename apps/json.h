@@ -1,0 +1,13 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "apps/report.h"
+
+namespace bracket::apps {
+
+/// A level as report.json and study.json tell it.
+nlohmann::ordered_json level_json(const bounds::Level& level, const LevelSeconds& around);
+
+}  // namespace bracket::apps

@@ -1,0 +1,38 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bracket::apps {
+
+/// What gnuplot shall draw.
+struct Picture {
+  std::string name;     ///< of the file, without its ending
+  std::string caption;  ///< a sentence or two below it
+  int width, height;    ///< pixels
+  std::string script;   ///< commands for gnuplot, without a terminal
+  bool wide = false;    ///< best over the whole width of a page
+};
+
+/// A picture that has been drawn.
+struct Drawing {
+  std::string name;
+  std::string caption;
+  std::string svg;
+  std::string png;  ///< empty unless asked for
+  bool wide;        ///< as Picture::wide
+};
+
+struct Drawings {
+  std::vector<Drawing> drawn;
+  std::vector<std::string> missing;  ///< what could not be drawn, and why, one line each
+};
+
+/// Draws pictures by gnuplot, side by side.
+Drawings draw(const std::vector<Picture>& pictures, bool png);
+
+/// A name as a string of gnuplot, in quotes; it is drawn as it is where "noenhanced" follows.
+std::string quoted(const std::string& text);
+
+}  // namespace bracket::apps

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace bracket::apps {
+
+/// A line on standard error that tells what is being done; it is gone when the work ends.
+class Progress {
+ public:
+  explicit Progress(bool wanted) : wanted_(wanted) {}
+  ~Progress() {
+    if (wanted_) std::fputs(clear_line, stderr);
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(const std::string& stage) const {
+    if (wanted_) fmt::print(stderr, "{}{} …", clear_line, stage);
+  }
+
+ private:
+  static constexpr const char* clear_line = "\r\033[K";
+  bool wanted_;
+};
+
+}  // namespace bracket::apps

@@ -1,0 +1,31 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bounds/bounds.h"
+
+/// The fields at points where files and pictures need them.
+namespace bracket::apps {
+
+/// u_h at the midpoint of an edge and at the centroid of a cell.
+scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int edge);
+scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell);
+
+/// Pressure −d·σ(u_h)d at the vertices 0 and 1 of a contact pair's first facet, whose outward normal is d; linear between.
+std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
+                                            const primal::Displacement<2>& displacement, int facet);
+
+/// Contact facets of one pair that follow one another along its first side.
+using Chain = std::vector<int>;  ///< indices into Problem::contact
+/// A pair as one chain per connected piece; a closed one begins anywhere.
+std::vector<Chain> chains(const scene::Problem<2>& problem, int pair);
+
+/// Largest pressure of λ_h on a pair.
+double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair);
+
+/// Whether λ_h presses on a contact facet: more than the rounding errors that open ones carry.
+bool presses(const bounds::ContactState& state, double largest);
+
+}  // namespace bracket::apps

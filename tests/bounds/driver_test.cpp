@@ -1,0 +1,153 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "bounds/bounds.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::bounds {
+namespace {
+
+using scene::Status;
+
+scene::Scene<2> adaptive(double target) {
+  auto scene = tests::two_blocks(2);
+  scene.refine = {.strategy = "adaptive", .target = target, .max_cells = 20000};
+  return scene;
+}
+
+TEST(Driver, stops_at_the_target) {
+  const auto outcome = run(adaptive(0.02));
+  EXPECT_EQ(outcome.status, Status::done);
+  EXPECT_LE(outcome.relative_error_bound, 0.02);
+  ASSERT_GE(outcome.levels.size(), 2u);
+  EXPECT_GT(outcome.levels[outcome.levels.size() - 2].bracket.relative_error_bound, 0.02);
+}
+
+TEST(Driver, spends_its_budget_and_keeps_the_bounds) {
+  auto levels = adaptive(1e-6);
+  levels.refine.max_levels = 3;
+  const auto three = run(levels);
+  EXPECT_EQ(three.status, Status::budget);
+  EXPECT_EQ(three.levels.size(), 3u);
+  EXPECT_EQ(three.guarantee, "discretisation");
+  EXPECT_NE(three.reason.find("max_levels"), std::string::npos) << three.reason;
+
+  auto cells = adaptive(1e-6);
+  cells.refine.max_cells = 100;
+  const auto small = run(cells);
+  EXPECT_EQ(small.status, Status::budget);
+  EXPECT_LE(small.levels.back().cells, 100);
+
+  auto unasked = adaptive(0);
+  unasked.refine.max_levels = 2;
+  EXPECT_EQ(run(unasked).status, Status::done);
+
+  auto none = tests::two_blocks(2);
+  none.refine.target = 1e-6;
+  EXPECT_EQ(run(none).status, Status::budget);
+}
+
+TEST(Driver, stops_on_request_after_a_finished_level) {
+  std::stop_source stop;
+  Observer<2> observer;
+  int levels = 0;
+  observer.level = [&](const Outcome<2>& so_far) {
+    EXPECT_EQ(static_cast<int>(so_far.levels.size()), ++levels);
+    if (levels == 2) stop.request_stop();
+  };
+  observer.stop = stop.get_token();
+  const auto outcome = run(adaptive(1e-6), observer);
+  EXPECT_EQ(levels, 2);
+  EXPECT_EQ(outcome.levels.size(), 2u);
+  EXPECT_EQ(outcome.status, Status::budget);
+}
+
+TEST(Driver, intersects_its_levels_and_never_raises_the_upper_bound) {
+  for (const char* strategy : {"adaptive", "uniform"})
+    for (const int degree : {1, 2}) {
+      auto scene = adaptive(0);
+      scene.refine.strategy = strategy;
+      scene.refine.max_cells = 3000;
+      scene.solve.degree = degree;
+      const auto outcome = run(scene);
+      ASSERT_GT(outcome.levels.size(), 2u);
+      double lower = outcome.levels[0].bracket.lower, upper = outcome.levels[0].bracket.upper;
+      for (const auto& level : outcome.levels) {
+        EXPECT_LE(level.bracket.upper, upper + 1e-13 * std::abs(upper));
+        lower = std::max(lower, level.bracket.lower);
+        upper = std::min(upper, level.bracket.upper);
+      }
+      EXPECT_EQ(outcome.lower, lower);
+      EXPECT_EQ(outcome.upper, upper);
+      EXPECT_LE(outcome.relative_error_bound, outcome.levels.back().bracket.relative_error_bound);
+    }
+}
+
+TEST(Driver, uniform_refinement_agrees_with_another_mesh_of_that_size) {
+  auto coarse = tests::two_blocks(4);
+  coarse.refine = {.strategy = "uniform", .max_levels = 3};
+  const auto refined = run(coarse);
+  const auto other = run(tests::two_blocks(16));
+  ASSERT_EQ(refined.levels.size(), 3u);
+  EXPECT_EQ(refined.levels[2].cells, other.levels[0].cells);
+  EXPECT_LE(std::max(refined.lower, other.lower), std::min(refined.upper, other.upper));
+  EXPECT_NEAR(std::log2((refined.upper - refined.lower) / (other.upper - other.lower)), 0, 1);
+}
+
+TEST(Driver, refines_where_a_coarse_mesh_cannot_balance_the_loads) {
+  // The resultant acts within the outer third of the last edge: no linear pressure on one edge balances it, two do.
+  scene::Scene<2> s;
+  s.blocks = {tests::block("block", -1, 1, 0, 1, 1, 1)};
+  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, false)}};
+  s.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
+  s.boundary = {{"block.top", tests::pressure([](const auto& x) { return 1 - 1.5 * x[0]; })}};
+  const auto coarse = run(s);
+  EXPECT_EQ(coarse.status, Status::not_guaranteed);
+  EXPECT_TRUE(coarse.levels.empty());
+  EXPECT_NE(coarse.reason.find("refine"), std::string::npos) << coarse.reason;
+  s.refine = {.strategy = "adaptive", .max_levels = 4};
+  const auto refined = run(s);
+  EXPECT_EQ(refined.status, Status::done);
+  EXPECT_FALSE(refined.levels.empty());
+}
+
+TEST(Mark, takes_as_few_cells_as_carry_the_bulk) {
+  const auto problem = tests::problem(tests::two_blocks(4));
+  Indicator indicator;
+  indicator.cell.assign(problem.mesh.cells.size(), 0);
+  std::iota(indicator.cell.begin(), indicator.cell.end(), 1.0);
+  indicator.contact.assign(problem.contact.size(), 0);
+  const double sum = std::accumulate(indicator.cell.begin(), indicator.cell.end(), 0.0);
+  for (const double bulk : {0.1, 0.5, 1.0}) {
+    const auto marked = mark(problem, indicator, bulk);
+    double carried = 0, least = sum, most = 0;
+    for (std::size_t c = 0; c < marked.size(); ++c) {
+      if (marked[c]) {
+        carried += indicator.cell[c];
+        least = std::min(least, indicator.cell[c]);
+      } else {
+        most = std::max(most, indicator.cell[c]);
+      }
+    }
+    EXPECT_GE(carried, bulk * sum);
+    EXPECT_LT(carried - least, bulk * sum);  // one fewer would not do
+    EXPECT_LE(most, least);
+  }
+}
+
+TEST(Mark, counts_the_contact_at_the_cells_on_both_sides) {
+  const auto problem = tests::problem(tests::two_blocks(4));
+  Indicator indicator;
+  indicator.cell.assign(problem.mesh.cells.size(), 1e-6);
+  indicator.contact.assign(problem.contact.size(), 0);
+  indicator.contact[1] = 1;
+  const auto marked = mark(problem, indicator, 0.9);
+  EXPECT_TRUE(marked[problem.mesh.boundary[problem.contact[1].first].cell]);
+  EXPECT_TRUE(marked[problem.mesh.boundary[problem.contact[1].second].cell]);
+  EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 2);
+}
+
+}  // namespace
+}  // namespace bracket::bounds

@@ -1,0 +1,92 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "tests/compare/admissible.h"
+#include "tests/compare/exact.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::tests {
+namespace {
+
+/// Slope of log(width) over log(cells) by least squares, on the levels with cells in the range.
+double slope(const std::vector<bounds::Level>& levels, int least, int most) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& level : levels) {
+    if (level.cells < least || level.cells > most) continue;
+    const double a = std::log(level.cells), b = std::log(level.bracket.upper - level.bracket.lower);
+    n += 1;
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+bounds::Outcome<2> refined(scene::Scene<2> scene, int degree, int max_cells) {
+  scene.solve.degree = degree;
+  scene.refine = {.strategy = "adaptive", .max_levels = 100, .max_cells = max_cells};
+  return bounds::run(scene);
+}
+
+scene::Scene<2> from_file(const std::string& name) {
+  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / (name + ".toml"));
+}
+
+TEST(Adaptive, lift_off_reaches_the_full_order_of_quadratics) {
+  const auto outcome = refined(two_blocks(4), 2, 40000);
+  expect_admissible(outcome);
+  for (const auto& level : outcome.levels) {
+    EXPECT_LE(level.bracket.lower, -0.00156588566432);
+    EXPECT_GE(level.bracket.upper, -0.00156588569415);
+  }
+  EXPECT_LE(slope(outcome.levels, 1000, 40000), -1.9);
+  EXPECT_LE(slope(refined(two_blocks(4), 1, 20000).levels, 1000, 20000), -0.95);
+}
+
+TEST(Adaptive, other_singular_scenes_reach_it_too) {
+  // From 4000 cells on: their coarse meshes are fine where nothing happens, and refining the corners alone is steeper.
+  for (const char* name : {"l_shape", "three_halves"}) {
+    const auto outcome = refined(from_file(name), 2, 30000);
+    expect_admissible(outcome);
+    EXPECT_LE(slope(outcome.levels, 4000, 30000), -1.9) << name;
+  }
+}
+
+TEST(Adaptive, every_level_contains_the_exact_energy) {
+  const double exact = three_halves_energy(1, 0.3);
+  for (const int degree : {1, 2}) {
+    const auto outcome = refined(from_file("three_halves"), degree, 5000);
+    expect_admissible(outcome);
+    for (const auto& level : outcome.levels) expect_between(level, exact, 1e-12);
+    const double wavy = westergaard_energy({1, 0.3, 0.01, 2, 0.25});
+    for (const auto& level : refined(from_file("westergaard"), degree, 5000).levels) expect_between(level, wavy, 1e-12);
+  }
+}
+
+TEST(Effectivity, is_one_without_contact) {
+  // Prager and Synge: ‖u − u_h‖² + ‖σ − λ_h‖² = ‖σ(u_h) − λ_h‖² = 2 width, and without contact each field's error is
+  // twice the distance of its energy to the exact one.
+  for (const int degree : {1, 2}) {
+    const auto outcome = refined(smooth(2), degree, 3000);
+    for (const auto& level : outcome.levels) {
+      const double u = 2 * (level.bracket.upper - smooth_energy), s = 2 * (smooth_energy - level.bracket.lower);
+      if (std::min(u, s) < 1e-9) continue;  // rounding of the energies
+      EXPECT_NEAR(level.bracket.error_bound / std::sqrt(u + s), 1, 1e-5);
+      EXPECT_GE(level.bracket.error_bound, std::sqrt(std::max(u, s)) * (1 - 1e-12));
+    }
+  }
+}
+
+TEST(Effectivity, stays_near_one_with_a_free_contact_boundary) {
+  // ‖u − u_h‖² ≤ 2 (L(u_h) − L(u)) and ‖σ − λ_h‖² ≤ 2 (L(u) + S(λ_h)): the errors are at most the bound, and without the
+  // contact terms ∫ p (g − r_h), ∫ p_h (g − r) they would be equal to it. Those are bounded by the width: what they take
+  // is seen in the contact share of the indicator, which stays a small part.
+  const auto outcome = refined(from_file("three_halves"), 2, 5000);
+  double contact = 0;
+  for (const double share : outcome.indicator.contact) contact += share;
+  EXPECT_LT(contact, 0.3 * outcome.indicator.sum);
+}
+
+}  // namespace
+}  // namespace bracket::tests

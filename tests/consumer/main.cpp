@@ -1,0 +1,33 @@
+// A block pressed on a rigid wall by a punch-like load: the scene in code, the adaptive driver, the interval.
+#include <bounds/bounds.h>
+
+#include <cstdio>
+
+using namespace bracket;
+
+int main() {
+  const auto constant = [](double value) { return [value](const scene::Vector<2>&) { return value; }; };
+
+  scene::Scene<2> scene;
+  scene.blocks = {{"block", {{{0, 2}, {0, 1}}}, {4, 2}, ""}};
+  scene.bodies["block"] = scene::isotropic<2>(210e3, 0.3, false);
+  scene.boundary["block.left"] = {scene::ConditionKind::sliding, {constant(0)}, ""};
+  scene.boundary["block.top"] = {
+      scene::ConditionKind::pressure, {[](const scene::Vector<2>& x) { return x[0] < 0.5 ? 100.0 : 0.0; }}, ""};
+  scene.contact = {{"block.bottom", "rigid", constant(0), ""}};
+  scene.refine = {.strategy = "adaptive", .target = 0.01};
+
+  try {
+    bounds::Observer<2> observer;
+    observer.level = [](const bounds::Outcome<2>& so_far) {
+      std::printf("%6d cells: [%.12g, %.12g]\n", so_far.levels.back().cells, so_far.lower, so_far.upper);
+    };
+    const auto outcome = bounds::run(scene, observer);
+    std::printf("energy in [%.17g, %.17g], error at most %.2g of the solution\n", outcome.lower, outcome.upper,
+                outcome.relative_error_bound);
+    return static_cast<int>(outcome.status);
+  } catch (const scene::Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.status());
+  }
+}
