@@ -28,8 +28,8 @@ struct RunOptions {
 ///        formulations found no fields
 scene::Status run(const RunOptions& options);
 
-/// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares what
-/// accuracy costs: a table, study.csv, study.json and study.svg. Ctrl-C ends it after the level that it is in.
+/// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares
+/// what accuracy costs: a table, study.csv, study.json and study.svg. Ctrl-C ends it after the level that it is in.
 /// \param folder for the results; empty: the scene's stem + ".study" in the current directory
 /// \return done; budget if it was stopped; not_guaranteed if one of the runs was
 /// \throw scene::Error as run()

@@ -82,9 +82,10 @@ Ended wait(const Process& process) {
 }
 
 Process start(const Picture& picture, const char* terminal) {
-  return start(fmt::format("set encoding utf8\nset terminal {} size {},{} enhanced font 'sans-serif,14' "
-                           "background '#ffffff'\n{}",
-                           terminal, picture.width, picture.height, picture.script));
+  return start(
+      fmt::format("set encoding utf8\nset terminal {} size {},{} enhanced font 'sans-serif,14' "
+                  "background '#ffffff'\n{}",
+                  terminal, picture.width, picture.height, picture.script));
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ class Range {
 };
 
 // Young's modulus and Poisson's ratio, where the compliance is that of an isotropic material.
-std::optional<std::pair<double, double>> isotropic_constants(const scene::Elasticity<2>& compliance, bool plane_stress) {
+std::optional<std::pair<double, double>> isotropic_constants(const scene::Elasticity<2>& compliance,
+                                                             bool plane_stress) {
   const double s11 = compliance(0, 0), s12 = compliance(0, 1), ratio = s12 / s11, rounding = 1e-12;
   const double poisson = plane_stress ? -ratio : ratio / (ratio - 1);
   const double young = (plane_stress ? 1 : 1 - poisson * poisson) / s11;

@@ -41,7 +41,8 @@ Status perform(int argc, char** argv) {
   };
   const auto add_folder = [&options](CLI::App* command, const char* ending) {
     command
-        ->add_option("-o", options.folder, fmt::format("Folder for the results (default: the scene's name + {})", ending))
+        ->add_option("-o", options.folder,
+                     fmt::format("Folder for the results (default: the scene's name + {})", ending))
         ->type_name("DIR")
         ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
   };

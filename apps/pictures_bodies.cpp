@@ -36,7 +36,9 @@ Picture canvas(const char* name, std::string caption, const Raster& raster, cons
   const int width = std::max(220, static_cast<int>(scale * raster.width));
   const int height = std::max(200, static_cast<int>(scale * raster.height));
   const double x = raster.pixel * raster.width, y = raster.pixel * raster.height, margin = 0.02 * std::max(x, y);
-  const auto range = [margin](double from, double size) { return fmt::format("[{}:{}]", from - margin, from + size + margin); };
+  const auto range = [margin](double from, double size) {
+    return fmt::format("[{}:{}]", from - margin, from + size + margin);
+  };
   std::string script =
       plot_style() + "unset grid\nset size ratio -1\n" + viridis + units_label(units) +
       fmt::format("set xrange {}\nset yrange {}\n", range(raster.low.x(), x), range(raster.low.y(), y)) +
@@ -150,17 +152,18 @@ Picture stress_picture(const Report& report) {
   for (int cell = 0; cell < static_cast<int>(run.problem.mesh.cells.size()); ++cell)
     for (const Tile& tile : stress_tiles(run, cell, factor)) tiles.push_back(tile);
   const Raster raster = rasterise(tiles, longest);
-  Picture picture = canvas("stress",
-                           fmt::format("The deformed bodies, displacements times {:g}, coloured by the largest shear stress "
-                                       "in the plane, ½(σ₁ − σ₂), of the mean of both stress fields. The highest ½ % of "
-                                       "the area have one colour. Grey: the bodies before.",
-                                       factor),
-                           raster, report.scene.units);
+  Picture picture =
+      canvas("stress",
+             fmt::format("The deformed bodies, displacements times {:g}, coloured by the largest shear stress "
+                         "in the plane, ½(σ₁ − σ₂), of the mean of both stress fields. The highest ½ % of "
+                         "the area have one colour. Grey: the bodies before.",
+                         factor),
+             raster, report.scene.units);
   const float highest = quantile(raster, 0.995);
   if (highest > 0) picture.script += fmt::format("set cbrange [0:{}]\n", highest);
   picture.script += "set cblabel 'largest shear stress'\nplot '-' with lines lw 0.8 lc rgb '#aaaaaa' notitle, " +
-                    image_item(raster) + ", '-' with lines lw 1 lc rgb '#333333' notitle\n" + line_data(outline(run, 0)) +
-                    image_bytes(raster) + "\n" + line_data(outline(run, factor));
+                    image_item(raster) + ", '-' with lines lw 1 lc rgb '#333333' notitle\n" +
+                    line_data(outline(run, 0)) + image_bytes(raster) + "\n" + line_data(outline(run, factor));
   return picture;
 }
 

@@ -62,12 +62,14 @@ double drawn_pressure(const Report& report, int pair) {
   double length = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     if (problem.contact[i].pair != pair || !presses(report.contact[i], largest)) continue;
-    pressed.emplace_back(std::ranges::max(report.contact[i].pressure), scene::length(problem.mesh, problem.contact[i].first));
+    pressed.emplace_back(std::ranges::max(report.contact[i].pressure),
+                         scene::length(problem.mesh, problem.contact[i].first));
     length += pressed.back().second;
   }
   std::ranges::sort(pressed, std::greater<>());
   double beyond = 0;
-  const auto usual = std::ranges::find_if(pressed, [&](const auto& facet) { return (beyond += facet.second) > 0.03 * length; });
+  const auto usual =
+      std::ranges::find_if(pressed, [&](const auto& facet) { return (beyond += facet.second) > 0.03 * length; });
   return std::min(1.15 * largest, 1.5 * usual->first);
 }
 
@@ -94,8 +96,8 @@ std::string panel(const Report& report, int pair) {
       "'-' with lines lw 1.2 lc rgb '{}' title 'pressure, displacements', "
       "'-' axes x1y2 with lines lw 1.8 dt (6,3) lc rgb '#3f8f3f' title 'gap left'\n"
       "{}e\n{}e\n{}e\n{}e\n",
-      quoted(names.first + " on " + (names.second == "rigid" ? "a rigid wall" : names.second)), line.length, -0.08 * top,
-      top, -0.08 * widest, widest, 0.03 * top, -0.08 * top, stress_colour, displacement_colour,
+      quoted(names.first + " on " + (names.second == "rigid" ? "a rigid wall" : names.second)), line.length,
+      -0.08 * top, top, -0.08 * widest, widest, 0.03 * top, -0.08 * top, stress_colour, displacement_colour,
       none ? "0 0\n" : line.pressed, line.equilibrated, line.of_displacement, line.gap);
 }
 
@@ -103,15 +105,20 @@ std::string panel(const Report& report, int pair) {
 
 Picture contact_picture(const Report& report) {
   const int pairs = static_cast<int>(report.scene.contact.size());
-  std::string script = plot_style() +
-                       "set ytics nomirror\nset y2tics\nset xlabel 'arc length'\nset ylabel 'pressure'\nset y2label 'gap'\n" +
-                       units_label(report.scene.units) + fmt::format("set multiplot layout {},1\n", pairs);
+  std::string script =
+      plot_style() +
+      "set ytics nomirror\nset y2tics\nset xlabel 'arc length'\nset ylabel 'pressure'\nset y2label 'gap'\n" +
+      units_label(report.scene.units) + fmt::format("set multiplot layout {},1\n", pairs);
   for (int pair = 0; pair < pairs; ++pair) script += panel(report, pair);
-  return {"contact",
-          "Pressure of both formulations and the gap that the displacements leave along each contact line, from the left "
-          "end of its first side as seen from inside. The bar at the bottom marks where the stresses press. Pressures of "
-          "the displacements jump from edge to edge; singular ones are cut at the frame.",
-          900, 330 * pairs, script + "unset multiplot\n", true};
+  return {
+      "contact",
+      "Pressure of both formulations and the gap that the displacements leave along each contact line, from the left "
+      "end of its first side as seen from inside. The bar at the bottom marks where the stresses press. Pressures of "
+      "the displacements jump from edge to edge; singular ones are cut at the frame.",
+      900,
+      330 * pairs,
+      script + "unset multiplot\n",
+      true};
 }
 
 }  // namespace bracket::apps

@@ -36,7 +36,8 @@ std::string error_panel(const char* label, const std::vector<double>& x, const s
 }  // namespace
 
 double observed_order(const std::vector<Sample>& samples) {
-  const std::size_t first = samples.size() - std::min(samples.size(), std::max<std::size_t>(2, (samples.size() + 1) / 2));
+  const std::size_t first =
+      samples.size() - std::min(samples.size(), std::max<std::size_t>(2, (samples.size() + 1) / 2));
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (std::size_t i = first; i < samples.size(); ++i) {
     const double a = std::log(samples[i].cells), b = std::log(samples[i].error);
@@ -52,8 +53,9 @@ std::string plot_style() {
 
 std::string units_label(const std::string& units) {
   if (units.empty()) return "";
-  return fmt::format("set label 999 {} at screen 0.995, screen 0.022 right noenhanced font ',11' textcolor rgb '#666666'\n",
-                     quoted("units: " + units));
+  return fmt::format(
+      "set label 999 {} at screen 0.995, screen 0.022 right noenhanced font ',11' textcolor rgb '#666666'\n",
+      quoted("units: " + units));
 }
 
 std::string log_axis(const std::string& axis, const std::vector<double>& values) {
@@ -95,7 +97,8 @@ Picture closing_picture(const Report& report) {
   }
   const double top = highest - lowest + 1.5;
   return {"closing",
-          "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances from the middle of the final interval, "
+          "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances from "
+          "the middle of the final interval, "
           "by the size of the energy. The exact energy lies in the shaded band, the intersection of the levels' "
           "intervals.",
           640, 420,
@@ -124,14 +127,15 @@ Picture error_picture(const Report& report) {
   }
   const double order = observed_order(samples);
   std::string caption =
-      "The guaranteed relative error of both fields in the energy norm, against cells and against the seconds since the "
+      "The guaranteed relative error of both fields in the energy norm, against cells and against the seconds since "
+      "the "
       "start.";
   if (std::isfinite(order))
     caption += fmt::format(" Over the last half of the levels it goes like cells to the power {:.2f}.", order);
-  return {"error", std::move(caption),
-          640, 420,
-          plot_style() + "set multiplot layout 1,2\nset ylabel 'guaranteed relative error'\n" + error_panel("cells", cells, errors) + "unset ylabel\n" +
-              error_panel("seconds", seconds, errors) + "unset multiplot\n"};
+  return {"error", std::move(caption), 640, 420,
+          plot_style() + "set multiplot layout 1,2\nset ylabel 'guaranteed relative error'\n" +
+              error_panel("cells", cells, errors) + "unset ylabel\n" + error_panel("seconds", seconds, errors) +
+              "unset multiplot\n"};
 }
 
 std::vector<Picture> pictures(const Report& report) {

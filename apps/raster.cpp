@@ -16,8 +16,7 @@ static_assert(std::endian::native == std::endian::little, "gnuplot is told nothi
 // Paints the pixels whose centres lie in the tile; on its edges too, so that none is left out between two tiles.
 void paint(Raster& raster, const Tile& tile) {
   std::array<scene::Vector<2>, 3> p;  // in pixels, centres at integers
-  for (int i = 0; i < 3; ++i)
-    p[i] = ((tile.corner[i] - raster.low) / raster.pixel).array() - 0.5;
+  for (int i = 0; i < 3; ++i) p[i] = ((tile.corner[i] - raster.low) / raster.pixel).array() - 0.5;
   const auto [left, right] = std::minmax({p[0].x(), p[1].x(), p[2].x()});
   const auto [bottom, top] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
   const int x0 = std::max(0, static_cast<int>(std::ceil(left))), y0 = std::max(0, static_cast<int>(std::ceil(bottom)));

@@ -23,9 +23,8 @@ std::string bound(const std::string& own, const std::string& other) {
 std::string ending(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   if (outcome.status == scene::Status::budget) return "budget spent: " + escaped(outcome.reason);
-  return report.scene.refine.target > 0
-             ? fmt::format("the target of {:g} is reached", report.scene.refine.target)
-             : "done; no target was asked";
+  return report.scene.refine.target > 0 ? fmt::format("the target of {:g} is reached", report.scene.refine.target)
+                                        : "done; no target was asked";
 }
 
 std::string answer(const Report& report) {
@@ -50,22 +49,27 @@ std::string scope(const Report& report) {
   const bool exact = moved < 1e-13;
   const std::string fixed_data =
       exact ? "<li>The given functions are carried exactly by the mesh.</li>\n"
-            : fmt::format("<li>The bounds hold for the given functions as they are fixed on the edges of the first mesh, "
-                          "which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of their largest "
-                          "values, and the energy by about {:.1e}.</li>\n",
-                          data.traction, data.displacement, data.gap, report.outcome.levels.back().oscillation_energy);
+            : fmt::format(
+                  "<li>The bounds hold for the given functions as they are fixed on the edges of the first mesh, "
+                  "which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of their largest "
+                  "values, and the energy by about {:.1e}.</li>\n",
+                  data.traction, data.displacement, data.gap, report.outcome.levels.back().oscillation_energy);
   return fmt::format(
       "<h2>What this says, and what it does not</h2>\n<div class=\"scope\"><div><h3>Guaranteed</h3><ul>\n"
-      "<li>The potential energy of the exact elastic solution, for the data as the mesh carries them, lies between the two "
-      "bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower one is "
+      "<li>The potential energy of the exact elastic solution, for the data as the mesh carries them, lies between the "
+      "two "
+      "bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower one "
+      "is "
       "minus the complementary energy of stresses in exact equilibrium that never pull across the contact.</li>\n"
-      "<li>Displacements and stresses are each within {} of the exact ones in the energy norm, {} of its size: the square "
+      "<li>Displacements and stresses are each within {} of the exact ones in the energy norm, {} of its size: the "
+      "square "
       "root of twice the width, with no unknown constant.</li>\n"
       "<li>Both fields were checked afterwards from their plain values by code that shares nothing with the "
       "solvers.</li>\n{}</ul></div><div><h3>Not guaranteed</h3><ul>\n"
       "<li>Rounding errors are measured by the checks, not enclosed (guarantee: {}).</li>\n"
       "{}"
-      "<li>Friction, large displacements, curved edges and material laws other than linear elasticity are outside of the "
+      "<li>Friction, large displacements, curved edges and material laws other than linear elasticity are outside of "
+      "the "
       "model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), exact ? fixed_data : "", report.outcome.guarantee,
@@ -106,10 +110,10 @@ std::string levels(const Report& report) {
                     fmt::format("{} / {}", level.dual_contact_active, level.dual_contact_rows),
                     fmt::format("{:.2f}", report.around[i].elapsed)});
   }
-  return "<h2>Levels</h2>\n" + html_table({"level", "cells", "displacement unknowns", "stress unknowns", "lower bound",
-                                           "upper bound", "relative error", "closed rows, displacements",
-                                           "closed rows, stresses", "seconds since start"},
-                                          rows, 0);
+  return "<h2>Levels</h2>\n" +
+         html_table({"level", "cells", "displacement unknowns", "stress unknowns", "lower bound", "upper bound",
+                     "relative error", "closed rows, displacements", "closed rows, stresses", "seconds since start"},
+                    rows, 0);
 }
 
 std::string seconds(const Report& report) {
@@ -126,11 +130,13 @@ std::string seconds(const Report& report) {
     return cells;
   };
   return "<h2>Where the time went</h2>\n" +
-         html_table(head, {row("displacements", sum.primal_phases, sum.primal), row("stresses", sum.dual_phases, sum.dual)},
+         html_table(head,
+                    {row("displacements", sum.primal_phases, sum.primal), row("stresses", sum.dual_phases, sum.dual)},
                     1) +
-         fmt::format("<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, write {:.2f}, "
-                     "pictures {:.2f} seconds.</p>\n",
-                     report.read, sum.mesh, sum.estimate, write, report.pictures);
+         fmt::format(
+             "<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, write {:.2f}, "
+             "pictures {:.2f} seconds.</p>\n",
+             report.read, sum.mesh, sum.estimate, write, report.pictures);
 }
 
 std::string checks(const bounds::Checks& checks) {

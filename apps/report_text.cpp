@@ -32,7 +32,8 @@ std::string level_table(const Report& report) {
                         level.dual_dofs, level.bracket.lower, level.bracket.upper,
                         percent(level.bracket.relative_error_bound), level.seconds.total);
   }
-  return text + "      (unknowns of either formulation; each level's own bounds, of which the interval is the intersection)\n";
+  return text +
+         "      (unknowns of either formulation; each level's own bounds, of which the interval is the intersection)\n";
 }
 
 std::string seconds_table(const Report& report) {
@@ -43,8 +44,9 @@ std::string seconds_table(const Report& report) {
   for (const char* name : phase_names) text += fmt::format("{:>10}", name);
   text += fmt::format("{:>10}\n  displacements {:>10.2f}{:>10.2f}\n  stresses      {:>10.2f}{:>10.2f}\n", "all",
                       fmt::join(sum.primal_phases, ""), sum.primal, fmt::join(sum.dual_phases, ""), sum.dual);
-  return text + fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, write {:.2f}, pictures {:.2f}\n",
-                            report.read, sum.mesh, sum.estimate, write, report.pictures);
+  return text +
+         fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, write {:.2f}, pictures {:.2f}\n",
+                     report.read, sum.mesh, sum.estimate, write, report.pictures);
 }
 
 // What one pair transmits: its resultant, largest pressure and the length of the edges that carry it.

@@ -113,12 +113,16 @@ std::string where(const std::filesystem::path& folder, bool with_pictures) {
 scene::Status run(const RunOptions& options) {
   const Clock clock;
   const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
-  Results results{.scene = scene, .folder = results_folder(options.folder, options.scene, ".out"), .clock = clock, .read = clock.seconds()};
+  Results results{.scene = scene,
+                  .folder = results_folder(options.folder, options.scene, ".out"),
+                  .clock = clock,
+                  .read = clock.seconds()};
   prepare_folder(results.folder);  // before the work, so that a folder that cannot be used is known at once
 
   const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
-  if (results.around.size() < outcome.levels.size()) write_level(results, outcome);  // of a level that failed its checks
+  if (results.around.size() < outcome.levels.size())
+    write_level(results, outcome);  // of a level that failed its checks
   Report report = apps::report(results, outcome);
   if (options.pictures) write_pictures(results, report, options.png);
   const std::string json = report_json(report);

@@ -13,7 +13,8 @@ namespace bracket::apps {
 scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int edge);
 scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell);
 
-/// Pressure −d·σ(u_h)d at the vertices 0 and 1 of a contact pair's first facet, whose outward normal is d; linear between.
+/// Pressure −d·σ(u_h)d at the vertices 0 and 1 of a contact pair's first facet, whose outward normal is d; linear
+/// between.
 std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
                                             const primal::Displacement<2>& displacement, int facet);
 

@@ -54,11 +54,12 @@ std::string study_text(const std::vector<Series>& all) {
                           level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
                           percent(level.bracket.relative_error_bound));
       const std::vector<double> columns = seconds(level);
-      text += fmt::format("{:>7.2f}{:>10.2f}{:>9.2f}\n", columns[0],
-                          fmt::join(columns.begin() + 1, columns.end(), ""), series.elapsed[i]);
+      text += fmt::format("{:>7.2f}{:>10.2f}{:>9.2f}\n", columns[0], fmt::join(columns.begin() + 1, columns.end(), ""),
+                          series.elapsed[i]);
     }
-  text += "(seconds of both formulations together; they run side by side, so that less time elapses)\n\n"
-          "Guaranteed relative error, observed over the last half of the levels\n";
+  text +=
+      "(seconds of both formulations together; they run side by side, so that less time elapses)\n\n"
+      "Guaranteed relative error, observed over the last half of the levels\n";
   for (const Series& series : all)
     text += fmt::format("  {:<20} {}   ({})\n", label(series), power(series), series.end);
   return text;
@@ -96,8 +97,8 @@ std::string study_json(const scene::Scene<2>& scene, const std::vector<Series>& 
                     {"order", order(series)},
                     {"levels", std::move(levels)}});
   }
-  const Json json = {{"schema", 1},         {"generator", "bracket"}, {"version", BRACKET_VERSION}, {"title", scene.title},
-                     {"scene", scene.file}, {"series", std::move(list)}};
+  const Json json = {{"schema", 1},          {"generator", "bracket"}, {"version", BRACKET_VERSION},
+                     {"title", scene.title}, {"scene", scene.file},    {"series", std::move(list)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -123,21 +124,23 @@ Picture study_picture(const std::vector<Series>& all) {
       points += last + "\n";
     }
     if (points.empty()) continue;
-    items += fmt::format("{}'-' with linespoints {} title '{}'", items.empty() ? "" : ", ", look(series), label(series));
+    items +=
+        fmt::format("{}'-' with linespoints {} title '{}'", items.empty() ? "" : ", ", look(series), label(series));
     data += points + "e\n";
     if (!std::isfinite(order(series))) continue;
     items += ", '-' using 1:2:3 with labels left offset 1,0 notitle";
     data += fmt::format("{} \"cells^{{{:.2f}}}\"\ne\n", last, order(series));
   }
   times.push_back(2 * std::ranges::max(times));  // room for the labels
-  return {"study",
-          "The guaranteed relative error of both fields in the energy norm against the run time, with the order observed "
-          "over the last half of the levels.",
-          900, 560,
-          plot_style() + log_axis("x", times) + log_axis("y", errors) +
-              fmt::format("set xlabel 'seconds'\nset ylabel 'guaranteed relative error'\n"
-                          "plot {}\n{}",
-                          items, data)};
+  return {
+      "study",
+      "The guaranteed relative error of both fields in the energy norm against the run time, with the order observed "
+      "over the last half of the levels.",
+      900, 560,
+      plot_style() + log_axis("x", times) + log_axis("y", errors) +
+          fmt::format("set xlabel 'seconds'\nset ylabel 'guaranteed relative error'\n"
+                      "plot {}\n{}",
+                      items, data)};
 }
 
 }  // namespace bracket::apps

@@ -14,8 +14,10 @@ Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<d
   const PotentialEnergy potential = potential_energy(problem, displacement);
   const double lower = -complementary_energy(problem, stress), upper = potential.total;
   Bracket result;
-  result.lower = std::min(lower, upper);
-  result.upper = std::max(lower, upper);
+  result.lower = lower;
+  result.upper = upper;
+  if (const double size = std::max(std::abs(lower), potential.strain); lower > upper && lower - upper < 1e-12 * size)
+    std::swap(result.lower, result.upper);
   const double width = std::max(std::abs(upper - lower), indicator.sum);
   const double scale = std::max(std::abs(lower), std::abs(upper));
   const double misfit = std::abs(indicator.sum - (upper - lower));

@@ -16,11 +16,18 @@ void raise(double& largest, double value) {
   if (value > largest || std::isnan(value)) largest = value;
 }
 
-template <int dim> double largest_displacement(const primal::Displacement<dim>& displacement) {
-  double largest = 0;
-  for (const auto& u : displacement.vertex) raise(largest, u.norm());
-  for (const auto& u : displacement.edge) raise(largest, u.norm());
-  return largest;
+/// The size of what deforms: the largest strain over the whole length, the gaps and the prescribed displacements. Rigid
+/// motions stay out, so that a body that flies off does not hide how far it penetrates.
+template <int dim>
+double displacement_scale(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+  double strain = 0, given = 0;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+    for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
+  for (const auto& pair : problem.contact)
+    for (const double g : pair.gap) raise(given, std::abs(g));
+  for (const auto& data : problem.facets)
+    for (int i = 0; i < dim; ++i) raise(given, std::max(data.displacement[i].norm(), std::abs(data.normal_displacement[i])));
+  return strain * problem.length_scale + given;
 }
 
 template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
@@ -141,7 +148,7 @@ Checks admissibility(const scene::Problem<dim>& problem, const primal::Displacem
     raise(equilibrium_misfit, equilibrium(problem, stress, static_cast<int>(c)));
   const BoundaryMisfit boundary = boundary_misfit(problem, stress);
   const auto relative = [](double value, double scale) { return value == 0 ? 0 : value / scale; };
-  const double u = largest_displacement(displacement), s = largest_stress(stress);
+  const double u = displacement_scale(problem, displacement), s = largest_stress(stress);
   Checks checks;
   checks.penetration = relative(penetration(problem, displacement, contact_state(problem, displacement, stress)), u);
   checks.equilibrium = relative(equilibrium_misfit, s);

@@ -96,6 +96,8 @@ template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& l
   if (!level.checks.passed())
     return fmt::format("the fields computed on {} cells are not admissible to {:g} of the scene's scale", level.cells,
                        Checks::tolerance);
+  if (level.bracket.lower > level.bracket.upper)
+    return fmt::format("the bounds computed on {} cells cross", level.cells);
   // Displacements of nested spaces: only a fault can raise the bound by more than rounding.
   const double upper = level.bracket.upper, rounding = 1e-12 * std::max(std::abs(upper), std::abs(level.bracket.lower));
   if (upper > earlier.upper + rounding)

@@ -63,8 +63,12 @@ Eigen::VectorXd slack_rounding(const Interface& problem, const Equality& minimum
 /// \param problem scaled   \param guess rows to start from
 std::optional<Pressure> block_active_set(const Interface& problem, std::vector<char> guess);
 
+/// No set of rows holds a rigid motion by more than rounding: bodies too unlike for the precision of a double.
+struct HeldByRounding {};
+
 /// Descends from a feasible p, one row at a time; always ends.
 /// \param problem scaled   \param start p ≥ 0, Gᵀp = e, with linearly independent rows of G where p > 0
+/// \throw HeldByRounding
 Pressure primal_active_set(const Interface& problem, const Eigen::VectorXd& start);
 
 }  // namespace bracket::contact

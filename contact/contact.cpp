@@ -112,7 +112,14 @@ Pressure minimise(const Scaled& interface, const VectorXd& start, const std::vec
   if (start.size() == 0) return {};
   const std::vector<char> all(static_cast<std::size_t>(start.size()), 1);
   std::optional<Pressure> found = block_active_set(interface.problem, guess.empty() ? all : guess);
-  return found ? *found : primal_active_set(interface.problem, start.cwiseQuotient(interface.row));
+  if (found) return *found;
+  try {
+    return primal_active_set(interface.problem, start.cwiseQuotient(interface.row));
+  } catch (const HeldByRounding&) {
+    Pressure none;
+    none.outcome = Outcome::not_definite;
+    return none;
+  }
 }
 
 /// What solve() looks for.

@@ -33,7 +33,8 @@ enum class Outcome {
   solved,
   no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
   contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
-  not_definite     ///< a stiffness is not positive definite beside its rigid motions; `body` says which
+  not_definite     ///< in floating point a stiffness is not positive definite beside its rigid motions (`body` says
+                   ///< which) or the contact holds a rigid motion by rounding only (`body` is −1)
 };
 
 struct Solution {

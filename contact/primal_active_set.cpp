@@ -3,7 +3,6 @@
 #include "contact/growing_cholesky.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bracket::contact {
 namespace {
@@ -38,7 +37,7 @@ class WorkingSet {
     const MatrixXd left = cholesky_.forward(motion);
     const VectorXd right = cholesky_.forward(problem_.overlap(rows_) + motion * problem_.load);
     const auto alpha = resisted_motion(left, right, problem_.load);
-    if (!alpha) throw std::runtime_error("contact: a rigid motion is held by rounding only");
+    if (!alpha) throw HeldByRounding();
     const VectorXd by_overlap = cholesky_.backward(right), by_motion = cholesky_.backward(left * alpha->value);
     const VectorXd none = VectorXd::Zero(problem_.overlap.size());
     Equality result{none, alpha->value, none, alpha->size};
@@ -89,7 +88,7 @@ WorkingSet first_working_set(const Interface& problem, const VectorXd& start) {
     const VectorXd direction = left.row(row).normalized();
     left -= (left * direction) * direction.transpose();
     left.row(row).setZero();
-    if (!set.append(row)) throw std::runtime_error("contact: a rigid motion is held by rounding only");
+    if (!set.append(row)) throw HeldByRounding();
   };
   for (Index i = 0; i < start.size(); ++i)
     if (start[i] > 0) take(i);

@@ -288,7 +288,9 @@ std::string explain(contact::Outcome outcome) {
       return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to the "
              "end of a contact line for its edges); refine the mesh there";
     case contact::Outcome::contradiction: return "stresses: the gaps and the prescribed displacements contradict each other";
-    case contact::Outcome::not_definite: return "stresses: the system of a body is not positive definite in floating point";
+    case contact::Outcome::not_definite:
+      return "stresses: in floating point a body is not held, its stiffness is too unlike that of the others or its cells "
+             "are too thin";
   }
   return "";
 }

@@ -154,7 +154,8 @@ std::string explain(contact::Outcome outcome) {
     case contact::Outcome::contradiction:
       return "displacements: the gaps and the prescribed displacements contradict each other, none is admissible";
     case contact::Outcome::not_definite:
-      return "displacements: the stiffness of a body is not positive definite in floating point";
+      return "displacements: in floating point a body is not held, its stiffness is too unlike that of the others or its "
+             "cells are too thin";
   }
   return "";
 }

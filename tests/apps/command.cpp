@@ -1,13 +1,18 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/apps/command.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace bracket::apps::tests {
 
@@ -33,6 +38,31 @@ Ended Command::shell(const std::string& command) const {
   return ended;
 }
 
+Ended Command::signalled(const std::string& arguments, const std::string& name, int lines, int signal) const {
+  const std::string out = directory.string() + ".out", err = directory.string() + ".err";
+  const std::string line =
+      "cd '" + directory.string() + "' && exec '" BRACKET_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err + "'";
+  const pid_t id = fork();
+  if (id == 0) {
+    ::signal(SIGINT, SIG_DFL);  // whatever the tests themselves are run by
+    execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    _exit(127);
+  }
+  const auto there = [&] {
+    if (!fs::exists(directory / name)) return false;
+    const std::string content = read(name);
+    return std::ranges::count(content, '\n') >= lines;
+  };
+  int status = 0;
+  while (waitpid(id, &status, WNOHANG) == 0 && !there()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  kill(id, signal);
+  waitpid(id, &status, 0);
+  Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read(out), read(err)};
+  fs::remove(out);
+  fs::remove(err);
+  return ended;
+}
+
 void Command::write(const std::string& name, const std::string& content) const {
   std::ofstream(directory / name, std::ios::binary) << content;
 }
@@ -44,6 +74,9 @@ std::string Command::read(const std::string& name) const {
   content << file.rdbuf();
   return content.str();
 }
+
+const char* const endlessly =
+    " --set refine.strategy=adaptive --set refine.max_levels=1000 --set refine.max_cells=100000000";
 
 const char* const two_blocks = R"(
 schema = 1

@@ -23,11 +23,18 @@ class Command : public testing::Test {
 
   /// Runs a shell command in the directory; "bracket" in it stands for the built program.
   Ended shell(const std::string& command) const;
+
+  /// Runs the program with `arguments` in the directory and sends it `signal` once the file `name` there has `lines`
+  /// lines. The status is minus the signal where that ended it.
+  Ended signalled(const std::string& arguments, const std::string& name, int lines, int signal) const;
   void write(const std::string& name, const std::string& content) const;
   std::string read(const std::string& name) const;  ///< \pre there is such a file
 
   std::filesystem::path directory;
 };
+
+/// Arguments that make a scene be refined without end.
+extern const char* const endlessly;
 
 /// Two blocks pressed together on the left half of the top, pulled apart on the right (design §3), on few cells.
 extern const char* const two_blocks;

@@ -38,6 +38,20 @@ TEST(Checks, see_penetration_at_and_between_nodes) {
   EXPECT_GT(middle.checks().penetration, 0.1);
 }
 
+TEST(Checks, see_penetration_of_a_body_that_flies_off) {
+  // Sideways the bodies are held by nothing; a motion without end along the contact must not make penetration look small.
+  const auto problem = tests::problem(tests::linear_pressure({}, 4, 2));
+  auto u = primal::solve(problem, 2).displacement;
+  const auto stress = dual::solve(problem).stress;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
+    if (problem.mesh.cell_body[c] != 1) continue;
+    for (const int v : problem.mesh.cells[c]) u.vertex[v][0] = 1e12;
+    for (const int e : problem.mesh.cell_edges[c]) u.edge[e][0] = 1e12;
+  }
+  u.vertex[problem.mesh.boundary[problem.contact[0].first].vertices[0]][1] -= 0.1;
+  EXPECT_GT(admissibility(problem, u, stress).penetration, 1e-3);
+}
+
 TEST(Checks, see_a_support_that_is_not_kept) {
   for (const char* part : {"lower.bottom", "upper.left"}) {
     Solved s;
