@@ -111,12 +111,12 @@ Drawings draw(const std::vector<Picture>& pictures, bool png) {
 }
 
 std::string quoted(const std::string& text) {
-  std::string result = "\"";
+  std::string result = "'";  // single: in double quotes gnuplot runs what stands between backquotes as a command
   for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
+    if (c == '\'') result += '\'';
     result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
-  return result + "\"";
+  return result + "'";
 }
 
 }  // namespace bracket::apps

@@ -57,20 +57,17 @@ std::string scope(const Report& report) {
   return fmt::format(
       "<h2>What this says, and what it does not</h2>\n<div class=\"scope\"><div><h3>Guaranteed</h3><ul>\n"
       "<li>The potential energy of the exact elastic solution, for the data as the mesh carries them, lies between the "
-      "two "
-      "bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower one "
-      "is "
-      "minus the complementary energy of stresses in exact equilibrium that never pull across the contact.</li>\n"
+      "two bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower "
+      "one is minus the complementary energy of stresses in exact equilibrium that never pull across the "
+      "contact.</li>\n"
       "<li>Displacements and stresses are each within {} of the exact ones in the energy norm, {} of its size: the "
-      "square "
-      "root of twice the width, with no unknown constant.</li>\n"
+      "square root of twice the width, with no unknown constant.</li>\n"
       "<li>Both fields were checked afterwards from their plain values by code that shares nothing with the "
       "solvers.</li>\n{}</ul></div><div><h3>Not guaranteed</h3><ul>\n"
       "<li>Rounding errors are measured by the checks, not enclosed (guarantee: {}).</li>\n"
       "{}"
       "<li>Friction, large displacements, curved edges and material laws other than linear elasticity are outside of "
-      "the "
-      "model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
+      "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), exact ? fixed_data : "", report.outcome.guarantee,
       exact ? "" : fixed_data);

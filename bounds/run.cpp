@@ -222,8 +222,13 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
     clock = Clock();
     const scene::Problem<dim>& problem = bracketed ? outcome.problem : step.problem;
     const bool adaptive = bracketed && refine.strategy == "adaptive";
-    step = finer(problem, adaptive ? mark(problem, outcome.indicator, refine.bulk) : std::vector<char>(problem.mesh.cells.size(), 1),
-                 solved);
+    const auto marked = adaptive ? mark(problem, outcome.indicator, refine.bulk)
+                                 : std::vector<char>(problem.mesh.cells.size(), 1);
+    try {
+      step = finer(problem, marked, solved);
+    } catch (const scene::Error& error) {  // cells at the resolution of the coordinates; the levels so far stand
+      return ended(std::move(outcome), refine, error.what(), true);
+    }
     step.seconds = clock.seconds();
     if (static_cast<int>(step.problem.mesh.cells.size()) > refine.max_cells)
       return ended(std::move(outcome), refine, fmt::format("max_cells = {}", refine.max_cells), false);

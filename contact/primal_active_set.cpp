@@ -3,6 +3,7 @@
 #include "contact/growing_cholesky.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace bracket::contact {
 namespace {
