@@ -1,6 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/active_set.h"
 
+#include "contact/statics.h"
+
+#include <cmath>
 #include <set>
 
 namespace bracket::contact {
@@ -24,7 +27,7 @@ Scaled scaled(const Interface& problem) {
   const double typical = diagonal.size() > 0 && diagonal.maxCoeff() > 0 ? diagonal.maxCoeff() : 1;
   const VectorXd row = (diagonal.array() > 0).select(diagonal, typical).cwiseSqrt().cwiseInverse();
 
-  const Index m = problem.motion.rows(), k = problem.motion.cols();
+  const Index k = problem.motion.cols();
   Scaled result{{}, row, MatrixXd(k, k)};
   Interface& to = result.problem;
   to.compliance = row.asDiagonal() * problem.compliance * row.asDiagonal();
@@ -33,11 +36,9 @@ Scaled scaled(const Interface& problem) {
   to.motion = row.asDiagonal() * problem.motion;
   to.load = problem.load;
   if (k == 0) return result;
-  const Eigen::HouseholderQR<MatrixXd> qr(to.motion);
-  result.motion = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
-  to.motion = qr.householderQ() * MatrixXd::Identity(m, k);
-  for (Index i = 0; i < m; ++i)  // not the rounding of zero
-    if (problem.motion.row(i).isZero(0)) to.motion.row(i).setZero();
+  Orthonormal found = orthonormal(to.motion);
+  to.motion = std::move(found.q);
+  result.motion = std::move(found.r);
   to.load = result.motion.transpose().triangularView<Eigen::Lower>().solve(problem.load);
   return result;
 }
@@ -51,21 +52,42 @@ VectorXd slack_rounding(const Interface& problem, const Equality& minimum) {
                   problem.motion.cwiseAbs() * minimum.motion_size);
 }
 
-std::optional<Motion> resisted_motion(const MatrixXd& left, const VectorXd& right, const VectorXd& load) {
-  const Index k = load.size();
-  if (k == 0) return Motion{load, load};
-  const MatrixXd schur = left.transpose() * left;
-  const Eigen::LLT<MatrixXd> factor(schur);
-  if (!regular(factor.matrixLLT().diagonal(), schur.diagonal()) || factor.info() != Eigen::Success) return {};
-  const VectorXd size = load.cwiseAbs() + left.cwiseAbs().transpose() * right.cwiseAbs();
-  return Motion{factor.solve(load - left.transpose() * right),
-                factor.solve(MatrixXd::Identity(k, k)).cwiseAbs() * size};
+std::optional<Held> held(const MatrixXd& left, const VectorXd& right, const VectorXd& load) {
+  const Index n = right.size(), k = load.size();
+  Held result{MatrixXd::Zero(n, 3), load, load};
+  result.parts.col(0) = right;
+  if (k == 0) return result;
+  if (n < k) return {};
+  // G has orthonormal columns and F a diagonal of ones: with all rows closed, R is of the order of one.
+  constexpr double resists = 1e-12;
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(left);
+  if (!(std::abs(qr.matrixQR()(k - 1, k - 1)) > resists)) return {};
+  const MatrixXd q = qr.householderQ() * MatrixXd::Identity(n, k);
+  const auto upper = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  const auto& order = qr.colsPermutation();
+  const VectorXd by_load = upper.transpose().solve(VectorXd(order.transpose() * load)), by_overlap = q.transpose() * right;
+  result.parts.col(1) = -q * by_overlap;
+  result.parts.col(2) = q * by_load;
+  result.motion = order * upper.solve(by_load - by_overlap);
+  const MatrixXd inverse = order * upper.solve(MatrixXd::Identity(k, k));
+  result.motion_size = inverse.cwiseAbs() * (by_load.cwiseAbs() + q.cwiseAbs().transpose() * right.cwiseAbs());
+  return result;
+}
+
+Equality equality(Index m, const std::vector<Index>& active, const Held& held, const VectorXd& sum,
+                  const MatrixXd& parts) {
+  Equality result{VectorXd::Zero(m), held.motion, VectorXd::Zero(m), held.motion_size};
+  result.pressure(active) = sum;
+  result.pressure_size(active) = parts.cwiseAbs().rowwise().sum();
+  return result;
 }
 
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Index>& active,
                                      const VectorXd& overlap, const VectorXd& load) {
-  const VectorXd none = VectorXd::Zero(overlap.size());
-  if (active.empty()) return load.size() == 0 ? std::optional(Equality{none, load, none, load}) : std::nullopt;
+  if (active.empty()) {
+    const VectorXd none = VectorXd::Zero(overlap.size());
+    return load.size() == 0 ? std::optional(Equality{none, load, none, load}) : std::nullopt;
+  }
   // G Gᵀ makes F definite and adds nothing but G e where Gᵀp = e.
   const MatrixXd motion = problem.motion(active, Eigen::all);
   MatrixXd definite = problem.compliance(active, active);
@@ -77,14 +99,11 @@ std::optional<Equality> solve_closed(const Interface& problem, const std::vector
   const auto lower = definite.triangularView<Eigen::Lower>();
   const MatrixXd left = motion.size() > 0 ? MatrixXd(lower.solve(motion)) : motion;
   const VectorXd right = lower.solve(VectorXd(overlap(active) + motion * load));
-  const auto alpha = resisted_motion(left, right, load);
-  if (!alpha) return {};
+  const auto found = held(left, right, load);
+  if (!found) return {};
   const auto upper = definite.transpose().triangularView<Eigen::Upper>();
-  const VectorXd by_overlap = upper.solve(right), by_motion = upper.solve(VectorXd(left * alpha->value));
-  Equality result{none, alpha->value, none, alpha->size};
-  result.pressure(active) = by_overlap + by_motion;
-  result.pressure_size(active) = by_overlap.cwiseAbs() + by_motion.cwiseAbs();
-  return result;
+  return equality(overlap.size(), active, *found, upper.solve(VectorXd(found->parts.rowwise().sum())),
+                  upper.solve(found->parts));
 }
 
 std::optional<Pressure> block_active_set(const Interface& problem, std::vector<char> guess) {

@@ -41,13 +41,19 @@ struct Equality {
   Eigen::VectorXd motion_size;    ///< bodies are stiff and gaps wide, or where a pressure is zero
 };
 
-/// α of that minimum, and what it is a sum of, from a Cholesky factor L of (F + G Gᵀ)_AA.
-/// \param left L⁻¹ G_A   \param right L⁻¹ (w_A + G_A e)   \return nothing where the rows do not resist all motions
-struct Motion {
-  Eigen::VectorXd value, size;
+/// That minimum from a Cholesky factor L of (F + G Gᵀ)_AA. With L⁻¹ G_A = Q R and c = L⁻¹ (w_A + G_A e),
+///     Lᵀ p_A = c − Q Qᵀ c + Q R⁻ᵀ e,    α = R⁻¹ (R⁻ᵀ e − Qᵀ c):
+/// α, which is large where a soft body holds a stiff one, does not enter the pressure.
+struct Held {
+  Eigen::MatrixXd parts;                ///< columns: the three terms of Lᵀ p_A
+  Eigen::VectorXd motion, motion_size;  ///< α and what it is a sum of, absolute
 };
-std::optional<Motion> resisted_motion(const Eigen::MatrixXd& left, const Eigen::VectorXd& right,
-                                      const Eigen::VectorXd& load);
+/// \param left L⁻¹ G_A   \param right c   \return nothing where the rows do not resist all motions
+std::optional<Held> held(const Eigen::MatrixXd& left, const Eigen::VectorXd& right, const Eigen::VectorXd& load);
+
+/// \param m number of all rows   \param sum, parts L⁻ᵀ times the sum and times each of the parts
+Equality equality(Eigen::Index m, const std::vector<Eigen::Index>& active, const Held& held, const Eigen::VectorXd& sum,
+                  const Eigen::MatrixXd& parts);
 
 /// \param overlap, load taken for w, e   \return nothing where rows of `active` depend on each other or do not resist
 ///        all motions

@@ -238,7 +238,9 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
     state.elastic.push_back(elastic_displacement(bodies[b], condensed[b], bodies[b].load, state.pressure));
   state = refined(bodies, bases, condensed, balanced, gap, interface, found.active, std::move(state));
 
-  const VectorXd motion = balanced.resisted * state.motion;
+  VectorXd motion = VectorXd::Zero(balanced.free.rows());
+  motion(balanced.resisted) = state.motion;
+  motion -= balanced.free * (balanced.free.transpose() * motion);  // of all solutions the one that moves least
   Index first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Index k = bases[b].basis.cols();

@@ -10,7 +10,7 @@ Eigen::MatrixXd GrowingCholesky::forward(const Eigen::MatrixXd& b) const {
   return storage_.topLeftCorner(size_, size_).triangularView<Eigen::Lower>().solve(b);
 }
 
-Eigen::VectorXd GrowingCholesky::backward(const Eigen::VectorXd& b) const {
+Eigen::MatrixXd GrowingCholesky::backward(const Eigen::MatrixXd& b) const {
   if (b.size() == 0) return b;
   return storage_.topLeftCorner(size_, size_).transpose().triangularView<Eigen::Upper>().solve(b);
 }

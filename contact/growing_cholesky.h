@@ -16,7 +16,7 @@ class GrowingCholesky {
   /// L⁻¹ b
   Eigen::MatrixXd forward(const Eigen::MatrixXd& b) const;
   /// L⁻ᵀ b
-  Eigen::VectorXd backward(const Eigen::VectorXd& b) const;
+  Eigen::MatrixXd backward(const Eigen::MatrixXd& b) const;
 
   /// Adds a last row. \param row the new row left of the diagonal   \param diagonal its diagonal entry
   /// \return false, and nothing is added, where the matrix would be singular: pivot ≤ 1e-12 · diagonal

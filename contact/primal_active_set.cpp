@@ -37,14 +37,10 @@ class WorkingSet {
     const MatrixXd motion = problem_.motion(rows_, Eigen::all);
     const MatrixXd left = cholesky_.forward(motion);
     const VectorXd right = cholesky_.forward(problem_.overlap(rows_) + motion * problem_.load);
-    const auto alpha = resisted_motion(left, right, problem_.load);
-    if (!alpha) throw HeldByRounding();
-    const VectorXd by_overlap = cholesky_.backward(right), by_motion = cholesky_.backward(left * alpha->value);
-    const VectorXd none = VectorXd::Zero(problem_.overlap.size());
-    Equality result{none, alpha->value, none, alpha->size};
-    result.pressure(rows_) = by_overlap + by_motion;
-    result.pressure_size(rows_) = by_overlap.cwiseAbs() + by_motion.cwiseAbs();
-    return result;
+    const auto found = held(left, right, problem_.load);
+    if (!found) throw HeldByRounding();
+    return equality(problem_.overlap.size(), rows_, *found, cholesky_.backward(found->parts.rowwise().sum()),
+                    cholesky_.backward(found->parts));
   }
   /// Rows of W whose pressure Gᵀp = e alone decides: without one of them G_W would lose rank.
   std::vector<Index> fixed() const {

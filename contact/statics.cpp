@@ -23,27 +23,54 @@ VectorXd row_sizes(const std::vector<Body>& bodies) {
   return (size.array() > 0).select(size, 1.0);
 }
 
-/// The orthonormal motions that the rows resist, and those that they do not.
-std::pair<MatrixXd, MatrixXd> split(const MatrixXd& rows) {
+/// The orthonormal motions that the rows do not resist.
+MatrixXd free_motions(const MatrixXd& rows) {
   const Index k = rows.cols();
-  if (rows.rows() == 0 || k == 0) return {MatrixXd(k, 0), MatrixXd::Identity(k, k)};
+  if (rows.rows() == 0 || k == 0) return MatrixXd::Identity(k, k);
   const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
   const VectorXd& singular = svd.singularValues();
   // Rows and motions are of size one each: what is left at rounding level resists nothing.
   const Index rank = (singular.array() > rounding * std::max(singular[0], 1.0)).count();
-  return {svd.matrixV().leftCols(rank), svd.matrixV().rightCols(k - rank)};
+  return svd.matrixV().rightCols(k - rank);
+}
+
+/// Motions of the basis which, with the free ones, are all: those that are left when each free one has taken its place.
+/// A choice among the basis, not a mixture: bodies that have nothing to do with each other stay apart.
+std::vector<Index> complement(const MatrixXd& free) {
+  const Index k = free.rows();
+  std::vector<char> replaced(static_cast<std::size_t>(k), 0);
+  if (free.cols() > 0) {
+    const Eigen::ColPivHouseholderQR<MatrixXd> qr(free.transpose());
+    for (Index j = 0; j < free.cols(); ++j) replaced[qr.colsPermutation().indices()[j]] = 1;
+  }
+  std::vector<Index> result;
+  for (Index j = 0; j < k; ++j)
+    if (!replaced[j]) result.push_back(j);
+  return result;
 }
 
 }  // namespace
 
 Motions motions(const MatrixXd& rigid) {
-  const Index n = rigid.rows(), k = rigid.cols();
-  if (k == 0) return {rigid, MatrixXd(0, 0)};
-  const double size = std::sqrt(static_cast<double>(n));
-  const Eigen::HouseholderQR<MatrixXd> qr(rigid);
-  const MatrixXd basis = qr.householderQ() * MatrixXd::Identity(n, k) * size;
-  const MatrixXd change = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
-  return {basis, change / size};
+  const double size = std::sqrt(static_cast<double>(rigid.rows()));
+  const auto [q, r] = orthonormal(rigid);
+  return {q * size, r / size};
+}
+
+Orthonormal orthonormal(MatrixXd columns) {
+  const Index k = columns.cols();
+  MatrixXd r = MatrixXd::Zero(k, k);
+  for (Index j = 0; j < k; ++j) {
+    for (int pass = 0; pass < 2; ++pass)
+      for (Index i = 0; i < j; ++i) {
+        const double part = columns.col(i).dot(columns.col(j));
+        columns.col(j) -= part * columns.col(i);
+        r(i, j) += part;
+      }
+    r(j, j) = columns.col(j).norm();
+    columns.col(j) /= r(j, j);
+  }
+  return {std::move(columns), std::move(r)};
 }
 
 std::vector<int> pins(const MatrixXd& basis, const std::vector<int>& contact) {
@@ -72,12 +99,13 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
   }
   const VectorXd row_size = row_sizes(bodies);
   for (Index i = 0; i < m; ++i)  // a row must not seem to resist where it is the rounding of zero
-    if (rows.row(i).norm() < 1e-12 * row_size[i]) rows.row(i).setZero();
+    rows.row(i) = (rows.row(i).array().abs() < 1e-12 * row_size[i]).select(0, rows.row(i));
   const MatrixXd unit_rows = row_size.cwiseInverse().asDiagonal() * rows;
-  const auto [resisted, free] = split(unit_rows);
 
   Statics result;
-  const VectorXd motion = free * (free.transpose() * load);
+  result.free = free_motions(unit_rows);
+  result.resisted = complement(result.free);
+  const VectorXd motion = result.free * (result.free.transpose() * load);
   double distance = 0;  // of the point that it moves most
   first = 0;
   for (const Motions& body : motions) {
@@ -93,19 +121,19 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
     return result;
   }
 
-  const MatrixXd resisting = unit_rows * resisted;
-  const VectorXd resisted_load = resisted.transpose() * load;
+  const MatrixXd resisting = unit_rows(Eigen::all, result.resisted);
+  const VectorXd resisted_load = (load - motion)(result.resisted);
   const Balance found = balance(resisting, resisted_load, size_of_loads);
   if (!found.possible) {
     result.possible = false;
-    result.motion = resisted * found.motion;
+    result.motion = VectorXd::Zero(k);
+    result.motion(result.resisted) = found.motion;
     return result;
   }
   result.load = resisting.transpose() * found.pressure;
   if (size_of_loads > 0)
     result.imbalance = std::max(result.imbalance, (resisted_load - result.load).norm() / size_of_loads);
-  result.resisted = resisted;
-  result.rows = rows * resisted;
+  result.rows = rows(Eigen::all, result.resisted);
   result.pressure = found.pressure.cwiseQuotient(row_size);
   return result;
 }

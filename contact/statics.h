@@ -13,6 +13,13 @@ struct Motions {
 };
 Motions motions(const Eigen::MatrixXd& rigid);
 
+/// A = Q R with orthonormal Q and upper triangular R, by Gram–Schmidt done twice: where columns have no row in common, the
+/// zeros of A are zeros of Q. \pre linearly independent columns
+struct Orthonormal {
+  Eigen::MatrixXd q, r;
+};
+Orthonormal orthonormal(Eigen::MatrixXd columns);
+
 /// As many unknowns as there are rigid motions, such that no motion leaves them all at rest; well apart, and not
 /// contact unknowns where others are about as good.
 /// \param basis as in Motions   \param contact the unknowns that contact rows touch
@@ -21,8 +28,9 @@ std::vector<int> pins(const Eigen::MatrixXd& basis, const std::vector<int>& cont
 /// The bodies' equilibrium as wholes: Gᵀp = e, in a basis of those motions that contact resists at all.
 struct Statics {
   bool possible = true;
-  /// The motions that contact resists, as coefficients of the bodies' bases, stacked (k_all × k).
-  Eigen::MatrixXd resisted;
+  /// Motions that contact resists and that, with the free ones, are all: which of the bodies' bases, stacked (k of k_all).
+  std::vector<Eigen::Index> resisted;
+  Eigen::MatrixXd free;      ///< the motions that it does not resist: orthonormal coefficients of the bases (k_all × …)
   Eigen::MatrixXd rows;      ///< G (m × k): the approach by these motions
   Eigen::VectorXd load;      ///< e (k), without what is taken for rounding
   Eigen::VectorXd pressure;  ///< one p ≥ 0 that balances it, with at most k entries > 0

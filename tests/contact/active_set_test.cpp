@@ -216,6 +216,24 @@ TEST(ActiveSet, ScalingKeepsZeroRows) {
   EXPECT_EQ(found.problem.motion.row(0).norm(), 0);
 }
 
+// Closed rows that meet a motion by the rounding of zero only do not hold it, those that meet it by 1e-6 do.
+TEST(Held, RoundingHoldsNothing) {
+  std::mt19937 random(18);
+  const VectorXd right = random_vector(5, random), load = random_vector(2, random);
+  for (double size : {1.0, 1e-6, 1e-16, 0.0}) {
+    MatrixXd left = MatrixXd::NullaryExpr(5, 2, [&] { return random_vector(1, random)[0]; });
+    left.col(1) *= size;
+    const auto found = held(left, right, load);
+    ASSERT_EQ(found.has_value(), size > 1e-12) << size;
+    if (!found) continue;
+    // Lᵀp balances the load, and Lᵀp − c is in the range of the motions.
+    const VectorXd sum = found->parts.rowwise().sum();
+    const double rounding = 100 * eps * (found->parts.norm() + left.norm() * found->motion.norm());
+    EXPECT_LE((left.transpose() * sum - load).norm(), rounding) << size;
+    EXPECT_LE((sum - right - left * found->motion).norm(), rounding) << size;
+  }
+}
+
 TEST(GrowingCholesky, FollowsRowsInAndOut) {
   std::mt19937 random(16);
   const Index n = 12;

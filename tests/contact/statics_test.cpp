@@ -56,7 +56,7 @@ TEST(Statics, SeparatesTheMotionsThatContactResists) {
   const Body body = floating(no_truss, load, rows);
   const Statics found = statics({body}, {motions(body.rigid)});
   ASSERT_TRUE(found.possible);
-  EXPECT_EQ(found.resisted.cols(), 1);
+  EXPECT_EQ(found.resisted.size(), 1u);
   EXPECT_NEAR(found.pressure[0], 2.0, 1e-13);
   EXPECT_LE(found.imbalance, 1e-15);
 

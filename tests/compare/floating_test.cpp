@@ -1,0 +1,64 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "bounds/bounds.h"
+#include "tests/support/scenes.h"
+
+/// Bodies that nothing but contact holds, and stiff ones held by soft ones.
+namespace bracket::bounds {
+namespace {
+
+// A bar pressed against a block that slides on a wall; below the block an unloaded body rests on contact and may fall
+// as far as it likes. The stress is uniaxial: L(u) = −½ p²/E · area of bar and block, whatever the resting body is.
+TEST(Floating, an_unloaded_body_stays_near_what_it_touches) {
+  constexpr double p = 1e-3, exact = -0.5 * p * p * 0.5 * 5.1;
+  for (const double ratio : {1e-12, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
+    for (const int degree : {1, 2}) {
+      scene::Scene<2> s;
+      s.solve.degree = degree;
+      s.blocks = {tests::block("resting", 0, 0.1, 0.1, 0.2, 1, 1), tests::block("block", 0, 0.1, 0.2, 0.7, 1, 3),
+                  tests::block("bar", 0.1, 5.1, 0.2, 0.7, 3, 3)};
+      s.bodies = {{"resting", scene::isotropic<2>(ratio, 0.3, true)},
+                  {"block", scene::isotropic<2>(1, 0.3, true)},
+                  {"bar", scene::isotropic<2>(1, 0.3, true)}};
+      s.boundary = {{"block.left", tests::sliding(0)},
+                    {"bar.top", tests::sliding(0)},
+                    {"bar.right", tests::pressure(tests::constant(p))}};
+      s.contact = {{"block.bottom", "resting.top", tests::constant(0), ""}, {"bar.left", "block.right", tests::constant(0), ""}};
+      const auto outcome = run(s);
+      EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason << ", ratio " << ratio << ", degree " << degree;
+      EXPECT_NEAR(outcome.lower, exact, 1e-12 * -exact) << "ratio " << ratio << ", degree " << degree;
+      EXPECT_NEAR(outcome.upper, exact, 1e-12 * -exact) << "ratio " << ratio << ", degree " << degree;
+      double largest = 0;
+      for (const auto& u : outcome.displacement.vertex) largest = std::max(largest, u.norm());
+      EXPECT_LE(largest, 10 * p * 5.1) << "ratio " << ratio << ", degree " << degree;
+    }
+}
+
+// Four blocks around a corner, two of them held by contact alone, one of these much softer than the others.
+TEST(Floating, soft_bodies_may_hold_stiff_ones) {
+  for (const double ratio : {1e-11, 1e-8, 1e-4, 1.0, 1e4, 1e8, 1e11}) {
+    scene::Scene<2> s;
+    s.blocks = {tests::block("b00", 0, 0.1, 0, 0.5, 2, 6), tests::block("b01", 0, 0.1, 0.5, 2.5, 2, 2),
+                tests::block("b10", 0.1, 2.1, 0, 0.5, 2, 6), tests::block("b11", 0.1, 2.1, 0.5, 2.5, 2, 2)};
+    for (const auto& block : s.blocks)
+      s.bodies[block.body] = scene::isotropic<2>(block.body == "b01" ? ratio : 1, 0.3, true);
+    s.boundary = {{"b00.left", tests::fixed(0, 0)},
+                  {"b10.bottom", tests::fixed(0, 0)},
+                  {"b10.right", tests::pressure(tests::constant(1e-3))}};
+    s.contact = {{"b00.right", "b10.left", tests::constant(0), ""},
+                 {"b11.left", "b01.right", tests::constant(0), ""},
+                 {"b10.top", "b11.bottom", tests::constant(0), ""}};
+    s.refine.strategy = "uniform";
+    s.refine.max_levels = 3;
+    const auto outcome = run(s);
+    EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason << ", ratio " << ratio;
+    ASSERT_EQ(outcome.levels.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)  // brackets of one energy
+        EXPECT_LE(outcome.levels[i].bracket.lower, outcome.levels[j].bracket.upper) << "ratio " << ratio;
+  }
+}
+
+}  // namespace
+}  // namespace bracket::bounds
