@@ -106,7 +106,7 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
   const scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
   print_notes(problem.mesh);
   std::cout << problem_text(scene, problem) << std::flush;
-  const double imbalance = bounds::check_solvability(problem);
+  const double imbalance = bounds::check_solvability(problem, scene.solve.degree);
   std::cout << fmt::format("solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n",
                            imbalance);
 }

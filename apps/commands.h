@@ -11,6 +11,12 @@
 /// standard error.
 namespace bracket::apps {
 
+/// How a command ended.
+struct Ending {
+  scene::Status status = scene::Status::done;
+  std::string reason;  ///< one line where the status is not done
+};
+
 struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path folder;        ///< for the results; empty: the scene's stem + ".out" in the current directory
@@ -23,18 +29,18 @@ struct RunOptions {
 
 /// Solves a scene and prints the report. The folder holds the results of each level as soon as it is done. Ctrl-C ends
 /// the run after the level that it is in.
-/// \return the status of bounds::run
+/// \return as bounds::run ended
 /// \throw scene::Error; input also where the folder is refused or cannot be written, not_guaranteed where one of the
 ///        formulations found no fields
-scene::Status run(const RunOptions& options);
+Ending run(const RunOptions& options);
 
 /// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares
 /// what accuracy costs: a table, study.csv, study.json and study.svg. Ctrl-C ends it after the level that it is in.
 /// \param folder for the results; empty: the scene's stem + ".study" in the current directory
 /// \return done; budget if it was stopped; not_guaranteed if one of the runs was
 /// \throw scene::Error as run()
-scene::Status study(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
-                    const std::filesystem::path& folder);
+Ending study(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
+             const std::filesystem::path& folder);
 
 /// Prints all that is known of a scene short of solving it: data, mesh quality, matching of the contact sides,
 /// solvability.

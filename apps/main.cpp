@@ -13,6 +13,7 @@
 
 namespace {
 
+using bracket::apps::Ending;
 using bracket::scene::Error;
 using bracket::scene::Status;
 
@@ -26,7 +27,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-Status perform(int argc, char** argv) {
+Ending perform(int argc, char** argv) {
   CLI::App app("Energies of elastic bodies in frictionless contact between two guaranteed bounds.", "bracket");
   app.footer(statuses);
   app.require_subcommand(0, 1);  // none is refused below: CLI11 would blame a misspelt command on its absence
@@ -70,7 +71,7 @@ Status perform(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(Status::input, one_line(error.what()) + " (see bracket --help)");
     app.exit(error);  // --help or --version: prints it
-    return Status::done;
+    return {};
   }
   if (run->parsed()) return bracket::apps::run(options);
   if (study->parsed()) return bracket::apps::study(options.scene, options.overrides, options.folder);
@@ -78,7 +79,7 @@ Status perform(int argc, char** argv) {
   if (info->parsed()) bracket::apps::info(mesh);
   if (app.get_subcommands().empty())
     throw Error(Status::input, "expected a command: run, study, check or info (see bracket --help)");
-  return Status::done;
+  return {};
 }
 
 int fail(Status status, const std::string& line) {
@@ -90,10 +91,10 @@ int fail(Status status, const std::string& line) {
 
 int main(int argc, char** argv) {
   try {
-    const Status status = perform(argc, argv);
+    const Ending ending = perform(argc, argv);
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0) return fail(Status::input, "cannot write to standard output");
-    return static_cast<int>(status);
+    return ending.status == Status::done ? 0 : fail(ending.status, ending.reason);
   } catch (const Error& error) {
     return fail(error.status(), error.what());
   } catch (const std::bad_alloc&) {

@@ -7,13 +7,13 @@
 #include <iostream>
 #include <utility>
 
-#include "apps/clock.h"
 #include "apps/commands.h"
 #include "apps/folder.h"
 #include "apps/interrupt.h"
 #include "apps/pictures.h"
 #include "apps/progress.h"
 #include "apps/vtk.h"
+#include "contact/clock.h"
 
 namespace bracket::apps {
 namespace {
@@ -110,7 +110,7 @@ std::string where(const std::filesystem::path& folder, bool with_pictures) {
 
 }  // namespace
 
-scene::Status run(const RunOptions& options) {
+Ending run(const RunOptions& options) {
   const Clock clock;
   const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
   Results results{.scene = scene,
@@ -139,7 +139,7 @@ scene::Status run(const RunOptions& options) {
     std::cout << emphasised(headline(report));
     if (!options.quiet) std::cout << report_text(report) << where(results.folder, options.pictures);
   }
-  return outcome.status;
+  return {outcome.status, outcome.reason};
 }
 
 }  // namespace bracket::apps

@@ -6,11 +6,11 @@
 
 #include <iostream>
 
-#include "apps/clock.h"
 #include "apps/commands.h"
 #include "apps/folder.h"
 #include "apps/interrupt.h"
 #include "apps/progress.h"
+#include "contact/clock.h"
 
 namespace bracket::apps {
 namespace {
@@ -22,8 +22,8 @@ void write_tables(const std::filesystem::path& folder, const scene::Scene<2>& sc
 
 }  // namespace
 
-scene::Status study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                    const std::filesystem::path& given_folder) {
+Ending study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+             const std::filesystem::path& given_folder) {
   scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
   scene.refine.target = 0;
   const std::filesystem::path folder = results_folder(given_folder, file, ".study");
@@ -47,11 +47,12 @@ scene::Status study(const std::filesystem::path& file, const std::vector<std::st
       if (interrupt.requested()) stop.request_stop();
     };
     const bounds::Outcome<2> outcome = bounds::run(scene, observer);
-    series.end = outcome.reason.empty() ? "budget spent" : outcome.reason;
-    return outcome.status;
+    series.end = outcome.reason;
+    if (series.end.empty()) series.end = outcome.relative_error_bound == 0 ? "exact" : "budget spent";
+    return Ending{outcome.status, fmt::format("{}, degree {}: {}", series.strategy, series.degree, series.end)};
   };
 
-  scene::Status status = scene::Status::done;
+  Ending ending;
   {
     const Interrupt interrupt;
     const Progress progress(isatty(STDERR_FILENO));
@@ -60,8 +61,8 @@ scene::Status study(const std::filesystem::path& file, const std::vector<std::st
         if (interrupt.requested()) continue;
         scene.refine.strategy = strategy;
         scene.solve.degree = degree;
-        const scene::Status ended = solve(interrupt, progress);
-        if (status != scene::Status::not_guaranteed && ended != scene::Status::done) status = ended;
+        const Ending ended = solve(interrupt, progress);
+        if (ending.status != scene::Status::not_guaranteed && ended.status != scene::Status::done) ending = ended;
       }
   }
   write_tables(folder, scene, all);
@@ -72,7 +73,7 @@ scene::Status study(const std::filesystem::path& file, const std::vector<std::st
     for (const std::string& line : drawings.missing) fmt::print(stderr, "note: {}\n", line);
   }
   std::cout << fmt::format("Tables and plot: {}\n", folder.string());
-  return status;
+  return ending;
 }
 
 }  // namespace bracket::apps

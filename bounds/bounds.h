@@ -35,16 +35,22 @@ double complementary_energy(const scene::Problem<dim>& problem, const dual::Stre
 
 // ---- checks ---------------------------------------------------------------------------------------------------------
 
+struct Check {
+  std::string name;
+  double value;
+};
+
 /// How far the two fields are from being admissible, each by the scene's largest displacement or stress. All at most
 /// `tolerance`, else the bracket is not to be trusted.
 struct Checks {
   static constexpr double tolerance = 1e-8;
-  double penetration = 0;        ///< largest r − g on Γ_K (as Bernstein coefficients), and misfit of prescribed displacements
+  double penetration = 0;        ///< largest r − g on Γ_K (Bernstein coefficients), misfit of prescribed displacements
   double equilibrium = 0;        ///< largest |div λ + F| · cell diameter, and traction jumps between a cell's parts
   double interface_jump = 0;     ///< largest jump of λn between cells, and of the pressure across the contact
   double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K
   double tension = 0;            ///< largest −p on Γ_K
   double gap_identity = 0;       ///< |sum of indicators − width| by the energy
+  Check worst() const;           ///< the largest, or one that is not a number
   bool passed() const;           ///< all of them finite and at most `tolerance`
 };
 /// All but the gap identity, which needs the bracket.
@@ -73,8 +79,8 @@ struct Bracket {
   double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
   double gap_identity = 0;             ///< |sum of indicators − (upper − lower)| by the largest energy
 };
-/// The width is the larger of upper − lower and the sum of the indicators, which differ by rounding only. Where rounding
-/// turned the two energies round, `lower` and `upper` are exchanged.
+/// The width is the larger of upper − lower and the sum of the indicators, which differ by rounding only. Where
+/// rounding turned the two energies round, `lower` and `upper` are exchanged.
 template <int dim>
 Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                 const dual::Stress<dim>& stress, const Indicator& indicator);
@@ -129,8 +135,8 @@ template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
   std::string guarantee = "none";  ///< "discretisation" or "none"
   std::string reason;              ///< if there is no guarantee or the budget was spent: one line
-  /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are nested,
-  /// so the last upper bound is the least; the stress spaces are not.
+  /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are
+  /// nested, so the last upper bound is the least; the stress spaces are not.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A
@@ -149,17 +155,20 @@ template <int dim> struct Observer {
   std::stop_token stop;                                   ///< asked after each level
 };
 
-/// Solvability (HH81 (1.16)): throws scene::Error (ill_posed), with the body and the motion, where no pressure can
-/// balance the loads. \return the largest relative imbalance that was at rounding level and is removed
-template <int dim> double check_solvability(const scene::Problem<dim>& problem);
+/// Solvability: prescribed displacements that keep the contact, and pressures that can balance the loads (HH81 (1.16)).
+/// \param degree of the displacements, 1 or 2
+/// \return the largest relative imbalance that was at rounding level and is removed
+/// \throw scene::Error (ill_posed), with the place on the contact or with the body and the motion
+template <int dim> double check_solvability(const scene::Problem<dim>& problem, int degree);
 
 /// Bulk marking (Dörfler): as few cells as carry `bulk` of the sum of the indicators, a contact facet's share split
 /// between the cells at it. \return 1 per marked cell   \pre 0 < bulk ≤ 1
 template <int dim>
 std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk);
 
-/// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking and
-/// refinement, until the target or the budget of scene.refine.
+/// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking
+/// and refinement, until the target or the budget of scene.refine. Where the bodies do but follow the prescribed
+/// displacements and gaps, rigidly and without loads, the bracket is [0, 0] and the first mesh is the last.
 /// \throw scene::Error for all that the user can mend
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
 

@@ -47,7 +47,9 @@ template <class Function> double over_facet(double length, const Function& f) {
   return sum;
 }
 
-template <class Value> Value linear(const std::array<Value, 2>& ends, double s) { return (1 - s) * ends[0] + s * ends[1]; }
+template <class Value> Value linear(const std::array<Value, 2>& ends, double s) {
+  return (1 - s) * ends[0] + s * ends[1];
+}
 
 /// Values at 0, 1 and ½.
 template <class Value> Value quadratic(const std::array<Value, 3>& v, double s) {
@@ -74,13 +76,14 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const Vector<dim> n = scene::normal(mesh, facet);
     const auto vector_at = [&](double s) -> Vector<dim> {
       const Vector<dim> at = linear(x, s);
-      if (given.value.size() == 1) return given.value[0](at) * (given.kind == ConditionKind::pressure ? Vector<dim>(-n) : n);
+      if (given.value.size() == 1)
+        return given.value[0](at) * (given.kind == ConditionKind::pressure ? Vector<dim>(-n) : n);
       return Vector<dim>(given.value[0](at), given.value[1](at));
     };
     const double length = scene::length(mesh, facet);
     if (data.support == Support::traction) {
-      // What was taken off is orthogonal to linear functions; of linear displacements only the mean is taken off, as what
-      // they lack of the exact ones is not known.
+      // What was taken off is orthogonal to linear functions; of linear displacements only the mean is taken off, as
+      // what they lack of the exact ones is not known.
       const auto u = on_facet(mesh, displacement, facet);
       const std::array<Vector<dim>, 2> ends_of_u = {u[0], u[1]};
       const Vector<dim> mean = (u[0] + u[1]) / 2;
@@ -104,7 +107,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto& ends = mesh.boundary[pair.first].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
     energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
-      return std::abs(linear(states[j].pressure, s) * (scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s)));
+      const double moved = scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s);
+      return std::abs(linear(states[j].pressure, s) * moved);
     });
   }
   return energy;

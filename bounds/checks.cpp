@@ -26,7 +26,8 @@ double displacement_scale(const scene::Problem<dim>& problem, const primal::Disp
   for (const auto& pair : problem.contact)
     for (const double g : pair.gap) raise(given, std::abs(g));
   for (const auto& data : problem.facets)
-    for (int i = 0; i < dim; ++i) raise(given, std::max(data.displacement[i].norm(), std::abs(data.normal_displacement[i])));
+    for (int i = 0; i < dim; ++i)
+      raise(given, std::max(data.displacement[i].norm(), std::abs(data.normal_displacement[i])));
   return strain * problem.length_scale + given;
 }
 
@@ -158,11 +159,16 @@ Checks admissibility(const scene::Problem<dim>& problem, const primal::Displacem
   return checks;
 }
 
-bool Checks::passed() const {
-  for (const double check : {penetration, equilibrium, interface_jump, boundary_traction, tension, gap_identity})
-    if (!(check <= tolerance)) return false;
-  return true;
+Check Checks::worst() const {
+  Check worst{"penetration", penetration};
+  for (const Check& check : {Check{"equilibrium", equilibrium}, Check{"interface jump", interface_jump},
+                             Check{"boundary traction", boundary_traction}, Check{"tension", tension},
+                             Check{"gap identity", gap_identity}})
+    if (check.value > worst.value || std::isnan(check.value)) worst = check;
+  return worst;
 }
+
+bool Checks::passed() const { return worst().value <= tolerance; }
 
 template Checks admissibility(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&);
 

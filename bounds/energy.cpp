@@ -18,12 +18,14 @@ double body_force_work(const scene::Mesh<dim>& mesh, const primal::Displacement<
                        const Vector<dim>& force, int cell) {
   Vector<dim> sum = Vector<dim>::Zero();
   for (int k = 0; k < 3; ++k)
-    sum += displacement.degree == 2 ? displacement.edge[mesh.cell_edges[cell][k]] : displacement.vertex[mesh.cells[cell][k]];
+    sum += displacement.degree == 2 ? displacement.edge[mesh.cell_edges[cell][k]]
+                                    : displacement.vertex[mesh.cells[cell][k]];
   return scene::volume(mesh, cell) / 3 * force.dot(sum);
 }
 
 /// ∫ a·b over a facet of two linear fields.
-template <class Value> double linear_product(const Value& a0, const Value& a1, const Value& b0, const Value& b1, double length) {
+template <class Value>
+double linear_product(const Value& a0, const Value& a1, const Value& b0, const Value& b1, double length) {
   return length / 6 * (2 * (a0 * b0 + a1 * b1) + a0 * b1 + a1 * b0);
 }
 
@@ -72,7 +74,8 @@ double complementary_energy(const scene::Problem<dim>& problem, const dual::Stre
         energy -= linear_product(t[0][c], t[1][c], data.displacement[0][c], data.displacement[1][c], length);
     } else {
       const Vector<dim> n = scene::normal(mesh, facet);
-      energy -= linear_product(t[0].dot(n), t[1].dot(n), data.normal_displacement[0], data.normal_displacement[1], length);
+      const auto& [u0, u1] = data.normal_displacement;
+      energy -= linear_product(t[0].dot(n), t[1].dot(n), u0, u1, length);
     }
   }
   for (const auto& pair : problem.contact) {

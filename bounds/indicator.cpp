@@ -8,7 +8,8 @@ using scene::Voigt;
 
 template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
-                                        const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress) {
+                                        const primal::Displacement<dim>& displacement,
+                                        const dual::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   std::vector<ContactState> states;
   states.reserve(problem.contact.size());

@@ -18,7 +18,8 @@ std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indi
   }
   std::vector<int> order(share.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(-share[a], a) < std::pair(-share[b], b); });
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return std::pair(-share[a], a) < std::pair(-share[b], b); });
 
   const double goal = bulk * std::accumulate(share.begin(), share.end(), 0.0);
   std::vector<char> marked(share.size(), 0);

@@ -1,26 +1,19 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <future>
 
 #include "bounds/bounds.h"
 #include "bounds/skipped.h"
+#include "bounds/unstrained.h"
+#include "contact/clock.h"
 
 namespace bracket::bounds {
 
 namespace {
 
 using scene::Status;
-
-class Clock {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// A mesh to be solved on, and what is expected of its contact.
 template <int dim> struct Step {
@@ -77,12 +70,13 @@ template <int dim> Level describe(const Step<dim>& step, const Solved<dim>& solv
 }
 
 /// Bracket and checks of a solved level. The data were fixed on the first mesh, and so was what that did to the energy.
+/// \param unstrained L(u) is 0: the bracket keeps its zeros, for which the energies computed are but rounding
 template <int dim>
 Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solved<dim>& solved,
-               const Indicator& shares, const std::vector<Level>& earlier) {
+               const Indicator& shares, const std::vector<Level>& earlier, bool unstrained) {
   const auto& problem = step.problem;
   Level level = describe(step, solved);
-  level.bracket = bracket(problem, solved.primal.displacement, solved.dual.stress, shares);
+  if (!unstrained) level.bracket = bracket(problem, solved.primal.displacement, solved.dual.stress, shares);
   level.checks = admissibility(problem, solved.primal.displacement, solved.dual.stress);
   level.checks.gap_identity = level.bracket.gap_identity;
   level.oscillation_energy =
@@ -93,9 +87,12 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
 
 /// What is wrong with a level; empty: nothing.
 template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& level) {
-  if (!level.checks.passed())
-    return fmt::format("the fields computed on {} cells are not admissible to {:g} of the scene's scale", level.cells,
-                       Checks::tolerance);
+  if (!level.checks.passed()) {
+    const auto [name, value] = level.checks.worst();
+    return fmt::format("the fields computed on {} cells fail the check '{}', {:.1e} by the scene's scale where {:g} is "
+                       "allowed; try cells of better shape, or moduli and sizes that differ less",
+                       level.cells, name, value, Checks::tolerance);
+  }
   if (level.bracket.lower > level.bracket.upper)
     return fmt::format("the bounds computed on {} cells cross", level.cells);
   // Displacements of nested spaces: only a fault can raise the bound by more than rounding.
@@ -113,7 +110,8 @@ void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<d
   outcome.upper = std::min(outcome.upper, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
   if (outcome.lower > bracket.lower)  // an earlier level knew better
-    outcome.relative_error_bound *= std::sqrt(std::max(0.0, outcome.upper - outcome.lower) / (bracket.upper - bracket.lower));
+    outcome.relative_error_bound *=
+        std::sqrt(std::max(0.0, outcome.upper - outcome.lower) / (bracket.upper - bracket.lower));
   outcome.problem = std::move(step.problem);
   outcome.displacement = std::move(solved.primal.displacement);
   outcome.stress = std::move(solved.dual.stress);
@@ -160,13 +158,14 @@ Step<dim> finer(const scene::Problem<dim>& problem, const std::vector<char>& mar
 
 template <int dim> Step<dim> first_step(const scene::Scene<dim>& scene) {
   Step<dim> step{scene::fix_data(scene, scene::build_mesh(scene)), {}, {}, 0};
-  check_solvability(step.problem);
+  check_solvability(step.problem, scene.solve.degree);
   return step;
 }
 
 /// Ends a run that has not reached its target.
 /// \param early before any budget was spent
-template <int dim> Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::string& why, bool early) {
+template <int dim>
+Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::string& why, bool early) {
   if (outcome.guarantee == "none") {
     outcome.status = Status::not_guaranteed;
     outcome.reason = why;
@@ -201,8 +200,10 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
     if (bracketed) {
       tell("estimate");
       const Clock estimate_clock;
+      const bool unstrained = outcome.levels.empty() && is_unstrained(step.problem, solved.primal.displacement);
+      if (unstrained) solved.dual.stress = no_stress(step.problem.mesh);
       Indicator shares = indicator(step.problem, solved.primal.displacement, solved.dual.stress);
-      Level level = estimate(scene, step, solved, shares, outcome.levels);
+      Level level = estimate(scene, step, solved, shares, outcome.levels, unstrained);
       level.seconds.estimate = estimate_clock.seconds();
       level.seconds.total = clock.seconds();
       why = fault(outcome, level);
@@ -210,7 +211,7 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
       if (why.empty() || outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
       if (!why.empty()) return ended(std::move(outcome), refine, why, true);
       if (observer.level) observer.level(outcome);
-      if (reached(outcome, refine.target)) return outcome;
+      if (unstrained || reached(outcome, refine.target)) return outcome;
     } else if (!finer_mesh_may_help(solved) || refine.strategy == "none") {
       return ended(std::move(outcome), refine, why, true);
     }

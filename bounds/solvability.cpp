@@ -77,7 +77,8 @@ template <int dim> Loads loads(const scene::Problem<dim>& problem, const Motions
     // A linear traction on a linear motion: hat-function moments at the ends.
     const double sixth = scene::length(mesh, static_cast<int>(f)) / 6;
     for (int i = 0; i < dim; ++i)
-      add(mesh.cell_body[facet.cell], sixth * (2 * data.traction[i] + data.traction[1 - i]), mesh.vertices[facet.vertices[i]]);
+      add(mesh.cell_body[facet.cell], sixth * (2 * data.traction[i] + data.traction[1 - i]),
+          mesh.vertices[facet.vertices[i]]);
   }
   return result;
 }
@@ -101,7 +102,8 @@ std::string explain(const scene::Problem<dim>& problem, const Motions<dim>& all,
 
 }  // namespace
 
-template <int dim> double check_solvability(const scene::Problem<dim>& problem) {
+template <int dim> double check_solvability(const scene::Problem<dim>& problem, int degree) {
+  primal::check_prescribed(problem, degree);
   const Motions<dim> all = all_free_motions(problem);
   if (all.motion.empty()) return 0;
   const Eigen::MatrixXd rows = approaches(problem, all);
@@ -110,10 +112,11 @@ template <int dim> double check_solvability(const scene::Problem<dim>& problem) 
   const contact::Balance balance = contact::balance(rows, given.work, given.size);
   if (!balance.possible)
     throw scene::Error(scene::Status::ill_posed,
-                       explain(problem, all, balance.motion) + "; support it, or change the loads so that pressure balances them");
+                       explain(problem, all, balance.motion) +
+                           "; support it, or change the loads so that pressure balances them");
   return (given.work - rows.transpose() * balance.pressure).cwiseAbs().maxCoeff() / given.size;
 }
 
-template double check_solvability(const scene::Problem<2>&);
+template double check_solvability(const scene::Problem<2>&, int);
 
 }  // namespace bracket::bounds

@@ -2,11 +2,11 @@
 #include "contact/contact.h"
 
 #include "contact/active_set.h"
+#include "contact/clock.h"
 #include "contact/factor.h"
 #include "contact/statics.h"
 
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -17,20 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-
-/// Seconds since it was made or last read.
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// K with the pinned unknowns cut off from the others (a diagonal entry is left to them).
 Sparse pinned_stiffness(Sparse stiffness, const std::vector<int>& pinned) {
@@ -193,7 +179,7 @@ std::vector<VectorXd> in_terms_of_rigid(const std::vector<Body>& bodies, const s
 Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::vector<char>& guess) {
   assert(!bodies.empty() && (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));
   Solution solution;
-  Stopwatch watch;
+  Clock watch;
   std::vector<Motions> bases;
   for (const Body& body : bodies) bases.push_back(motions(body.rigid));
   const Statics balanced = statics(bodies, bases);

@@ -76,9 +76,9 @@ LoadVector edge_loads(const Triangle& t, const Corners& stress) {
   return loads;
 }
 
-/// Nine independent side loads in equilibrium, in small integers. A linear side load acts like the forces ∫ φ_i λn at the
-/// ends of its edge: so opposite forces of the two edges that meet at a vertex balance, and so do opposite forces along
-/// an edge at its ends.
+/// Nine independent side loads in equilibrium, in small integers. A linear side load acts like the forces ∫ φ_i λn at
+/// the ends of its edge: so opposite forces of the two edges that meet at a vertex balance, and so do opposite forces
+/// along an edge at its ends.
 LoadMatrix balanced_loads(const Triangle& t) {
   LoadMatrix loads = LoadMatrix::Zero();
   int mode = 0;
@@ -95,8 +95,8 @@ LoadMatrix balanced_loads(const Triangle& t) {
   return loads;
 }
 
-/// The modes are those of balanced_loads(), one each [HH81, Theorem 2.1]. Their corner values are integers, so that they
-/// are held exactly: rounded modes would act as a body force, the same in all cells of one shape.
+/// The modes are those of balanced_loads(), one each [HH81, Theorem 2.1]. Their corner values are integers, so that
+/// they are held exactly: rounded modes would act as a body force, the same in all cells of one shape.
 ReferenceBlock make_reference_block() {
   const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
   const auto values = corner_values(t);

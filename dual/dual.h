@@ -7,8 +7,8 @@
 /// Stresses: the lower bound. Self-equilibrated triangular block elements (design §1.4; HH81 §2.1, §3).
 namespace bracket::dual {
 
-/// A stress field, linear on the three parts of each cell, which meet at its centroid. Part k holds the edge opposite to
-/// vertex k; its corners are vertex k+1, vertex k+2 (mod 3) and the centroid.
+/// A stress field, linear on the three parts of each cell, which meet at its centroid. Part k holds the edge opposite
+/// to vertex k; its corners are vertex k+1, vertex k+2 (mod 3) and the centroid.
 template <int dim> struct Stress {
   using Voigt = scene::Voigt<dim>;
   std::vector<std::array<Voigt, 9>> cell;  ///< [3 k + corner] of each cell

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
+#include "contact/clock.h"
 #include "dual/block_element.h"
 #include "dual/dual.h"
 
@@ -281,28 +281,28 @@ Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std
   return stress;
 }
 
-std::string explain(contact::Outcome outcome) {
-  switch (outcome) {
+template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
+  switch (solution.outcome) {
     case contact::Outcome::solved: return "";
     case contact::Outcome::no_equilibrium:
-      return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to the "
-             "end of a contact line for its edges); refine the mesh there";
-    case contact::Outcome::contradiction: return "stresses: the gaps and the prescribed displacements contradict each other";
+      return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to "
+             "the end of a contact line for its edges); refine the mesh there, unless the resultant passes through "
+             "the end itself: then no mesh has such a pressure";
+    case contact::Outcome::contradiction:
+      return "stresses: the gaps and the prescribed displacements contradict each other";
     case contact::Outcome::not_definite:
-      return "stresses: in floating point a body is not held, its stiffness is too unlike that of the others or its cells "
-             "are too thin";
+      return "stresses: in floating point " +
+             (solution.body < 0 ? "the contact holds a body by rounding only"
+                                : "the body '" + mesh.bodies[solution.body] + "' is not held") +
+             "; moduli are too unlike or cells too thin";
   }
   return "";
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
 
 template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock clock;
   const Layout layout = lay_out(problem);
   std::vector<contact::Body> bodies;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
@@ -313,20 +313,20 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vec
   Result<dim> result;
   result.rows = static_cast<int>(2 * problem.contact.size());
   for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
-  result.assemble = seconds_since(start);
+  result.assemble = clock.seconds();
 
   std::vector<char> guess;
   for (const char facet : closed) guess.insert(guess.end(), 2, facet);
   contact::Solution solution = contact::solve(bodies, gap_moments(problem), guess);
   result.outcome = solution.outcome;
-  result.reason = explain(solution.outcome);
+  result.reason = explain(problem.mesh, solution);
   result.iterations = solution.iterations;
   result.imbalance = solution.imbalance;
   if (solution.outcome == contact::Outcome::solved) {
-    const auto recovering = std::chrono::steady_clock::now();
+    const Clock recovering;
     for (std::size_t b = 0; b < bodies.size(); ++b) loads[b] -= bodies[b].rows.transpose() * solution.pressure;
     result.stress = recover(problem, layout, loads, solution);
-    solution.seconds.recover += seconds_since(recovering);
+    solution.seconds.recover += recovering.seconds();
   }
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
   result.closed.assign(problem.contact.size(), 0);

@@ -13,7 +13,8 @@ namespace {
 
 /// One body as a deal.II triangulation; cell i of it is cells[i] of the mesh.
 template <int dim>
-void triangulate(const scene::Mesh<dim>& mesh, const std::vector<int>& cells, dealii::Triangulation<dim>& triangulation) {
+void triangulate(const scene::Mesh<dim>& mesh, const std::vector<int>& cells,
+                 dealii::Triangulation<dim>& triangulation) {
   std::vector<int> number(mesh.vertices.size(), -1);
   std::vector<dealii::Point<dim>> points;
   std::vector<dealii::CellData<dim>> data(cells.size(), dealii::CellData<dim>(dim + 1));

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "primal/nodes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace bracket::primal {
@@ -153,16 +155,16 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
   const double tolerance = 1e-10 * largest_prescribed(problem, nodes);
   const Approach<dim> approach{nodes, problem};
   std::vector<Row> rows;
-  const auto keep = [&](Row row) {
+  const auto keep = [&](Row row, const Vector<dim>& x) {
     if (!row.entries.empty()) {
       rows.push_back(std::move(row));
     } else if (row.bound < -tolerance) {
-      const auto& first = mesh.boundary[problem.contact[row.facet].first];
-      const Vector<dim>& x = mesh.vertices[first.vertices[0]];
-      throw scene::Error(scene::Status::ill_posed,
-                         "the displacements prescribed at the contact of '" + mesh.parts[first.part] + "' near (" +
-                             std::to_string(x[0]) + ", " + std::to_string(x[1]) + ") close its gap by " +
-                             std::to_string(-row.bound) + " more than it has: no displacement is admissible");
+      const int part = mesh.boundary[problem.contact[row.facet].first].part;
+      throw scene::Error(
+          scene::Status::ill_posed,
+          fmt::format("the displacements prescribed at the contact of '{}' close its gap by up to {:.3g} "
+                      "more than it has at ({:.7g}, {:.7g}): no displacement of degree {} is admissible",
+                      mesh.parts[part], -row.bound, x[0], x[1], nodes.degree));
     }
   };
   const auto body_of = [&](int facet) { return mesh.cell_body[mesh.boundary[facet].cell]; };
@@ -184,14 +186,15 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
         approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * (nodes.degree == 2 ? -0.5 : 0.5));
       if (nodes.degree == 2) approach.add(row, nodes.at_edge(mesh, facet.edge), body_of(side), d, sign * 2);
     }
-    keep(std::move(row));
+    const auto& [a, b] = mesh.boundary[pair.first].vertices;
+    keep(std::move(row), (mesh.vertices[a] + mesh.vertices[b]) / 2);
   }
   for (const EndRow& end : end_rows(problem)) {
     const auto& pair = problem.contact[end.facet];
     Row row{{}, end.gap, end.facet};
     approach.add(row, nodes.at_vertex(end.first), body_of(pair.first), end.normal, 1);
     if (end.second >= 0) approach.add(row, nodes.at_vertex(end.second), body_of(pair.second), end.normal, -1);
-    keep(std::move(row));
+    keep(std::move(row), mesh.vertices[end.first]);
   }
   return rows;
 }

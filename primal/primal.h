@@ -28,11 +28,17 @@ template <int dim> struct Result {
   contact::Seconds seconds;
 };
 
+/// What can be said of a contact without a solve: whether the displacements prescribed on both of its sides leave any
+/// that are admissible, K_h ≠ ∅ there.
+/// \param degree 1 or 2, as for solve()
+/// \throw scene::Error (ill_posed) where they alone already close a gap by more than it has
+template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
+
 /// Minimises the potential energy L over K_h ⊂ K. [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
 /// g on each contact facet.
 /// \param degree 1 or 2
 /// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
-/// \throw scene::Error (ill_posed) where prescribed displacements alone already close a gap by more than it has
+/// \throw scene::Error as check_prescribed()
 template <int dim>
 Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed = {});
 

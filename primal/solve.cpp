@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 
+#include "contact/clock.h"
 #include "primal/elasticity.h"
 #include "primal/nodes.h"
 #include "primal/primal.h"
@@ -69,7 +69,8 @@ template <int dim> void add_load(const Node<dim>& node, const Vector<dim>& force
 }
 
 /// ∫ P·φ over Γ_τ, exact for linear P.
-template <int dim> void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<contact::Body>& bodies) {
+template <int dim>
+void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<contact::Body>& bodies) {
   const auto& mesh = problem.mesh;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -84,7 +85,8 @@ template <int dim> void add_tractions(const Problem<dim>& problem, const Nodes<d
       add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
     }
     if (nodes.degree == 2)
-      add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], length / 3 * (data.traction[0] + data.traction[1]), load);
+      add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], length / 3 * (data.traction[0] + data.traction[1]),
+                    load);
   }
 }
 
@@ -107,7 +109,8 @@ void set_rigid_motions(const Problem<dim>& problem, const Nodes<dim>& nodes, std
     for (const int v : mesh.cells[c]) set(body, nodes.node[nodes.at_vertex(v)], mesh.vertices[v]);
     if (nodes.degree == 1) continue;
     for (const int e : mesh.cell_edges[c])
-      set(body, nodes.node[nodes.at_edge(mesh, e)], (mesh.vertices[mesh.edges[e][0]] + mesh.vertices[mesh.edges[e][1]]) / 2);
+      set(body, nodes.node[nodes.at_edge(mesh, e)],
+          (mesh.vertices[mesh.edges[e][0]] + mesh.vertices[mesh.edges[e][1]]) / 2);
   }
 }
 
@@ -128,7 +131,8 @@ Eigen::VectorXd set_contact_rows(const std::vector<Row>& rows, std::vector<conta
 }
 
 template <int dim>
-Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, const std::vector<Eigen::VectorXd>& unknowns) {
+Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
+                          const std::vector<Eigen::VectorXd>& unknowns) {
   Displacement<dim> field;
   field.degree = nodes.degree;
   field.vertex.resize(mesh.vertices.size());
@@ -147,31 +151,34 @@ Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
   return field;
 }
 
-std::string explain(contact::Outcome outcome) {
-  switch (outcome) {
+template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
+  switch (solution.outcome) {
     case contact::Outcome::solved: return "";
     case contact::Outcome::no_equilibrium: return "displacements: no admissible pressure balances the loads";
     case contact::Outcome::contradiction:
       return "displacements: the gaps and the prescribed displacements contradict each other, none is admissible";
     case contact::Outcome::not_definite:
-      return "displacements: in floating point a body is not held, its stiffness is too unlike that of the others or its "
-             "cells are too thin";
+      return "displacements: in floating point " +
+             (solution.body < 0 ? "the contact holds a body by rounding only"
+                                : "the body '" + mesh.bodies[solution.body] + "' is not held") +
+             "; moduli are too unlike or cells too thin";
   }
   return "";
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
+template <int dim> void check_prescribed(const Problem<dim>& problem, int degree) {
+  contact_rows(problem, make_nodes(problem, degree));
+}
+
 template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, const std::vector<char>& closed) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock clock;
   const Nodes<dim> nodes = make_nodes(problem, degree);
   const std::vector<Row> rows = contact_rows(problem, nodes);
   std::vector<contact::Body> bodies;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) bodies.push_back(assemble(problem, nodes, static_cast<int>(b)));
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    bodies.push_back(assemble(problem, nodes, static_cast<int>(b)));
   add_tractions(problem, nodes, bodies);
   set_rigid_motions(problem, nodes, bodies);
   const Eigen::VectorXd bounds = set_contact_rows(rows, bodies);
@@ -179,17 +186,18 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, co
   Result<dim> result;
   result.rows = static_cast<int>(rows.size());
   for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
-  result.assemble = seconds_since(start);
+  result.assemble = clock.seconds();
 
   std::vector<char> guess;
   if (!closed.empty())
     for (const Row& row : rows) guess.push_back(closed[row.facet]);
   contact::Solution solution = contact::solve(bodies, bounds, guess);
   result.outcome = solution.outcome;
-  result.reason = explain(solution.outcome);
+  result.reason = explain(problem.mesh, solution);
   result.iterations = solution.iterations;
   result.imbalance = solution.imbalance;
-  if (solution.outcome == contact::Outcome::solved) result.displacement = recover(problem.mesh, nodes, solution.displacement);
+  if (solution.outcome == contact::Outcome::solved)
+    result.displacement = recover(problem.mesh, nodes, solution.displacement);
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
   result.closed.assign(problem.contact.size(), 0);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
@@ -200,6 +208,7 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, co
 
 template struct Displacement<2>;
 template struct Result<2>;
+template void check_prescribed(const Problem<2>&, int);
 template Result<2> solve(const Problem<2>&, int, const std::vector<char>&);
 
 }  // namespace bracket::primal

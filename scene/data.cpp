@@ -5,6 +5,7 @@
 
 #include "scene/matching.h"
 #include "scene/projection.h"
+#include "scene/range.h"
 #include "scene/support.h"
 #include "scene/text.h"
 
@@ -176,6 +177,10 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
     facet.gap = values.value;
     gap.include(values);
   }
+  check_size(problem.length_scale, scene.file, "the diameter of the mesh");
+  check_size(fixed.traction.largest, scene.file, "the largest traction");
+  check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");
+  check_size(gap.largest, scene.file, "the largest gap");
   problem.oscillation = {fixed.traction.relative(), fixed.displacement.relative(), gap.relative()};
   return problem;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scene/expression.h"
+#include "scene/range.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -56,6 +57,7 @@ double number(const toml::node& node, const std::string& name) {
   if (!node.is_number()) refuse(node, fmt::format("{} must be a number, not {}", name, type_of(node)));
   const double value = *node.value<double>();
   if (!std::isfinite(value)) refuse(node, fmt::format("{} must be finite, is {}", name, value));
+  check_size(value, where(node), name);
   return value;
 }
 

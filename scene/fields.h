@@ -19,7 +19,7 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
 /// The node at `key`, which must be there.
 const toml::node& required(const toml::table& table, const std::string& name, const std::string& key);
 
-double number(const toml::node& node, const std::string& name);              ///< finite
+double number(const toml::node& node, const std::string& name);              ///< of a size that check_size() allows
 int integer(const toml::node& node, const std::string& name, int smallest);  ///< at least `smallest`
 std::string text(const toml::node& node, const std::string& name);
 std::string label(const toml::node& node, const std::string& name);  ///< a text that is not empty

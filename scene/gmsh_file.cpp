@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "scene/range.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -137,6 +138,8 @@ void read_node(Scanner& in, Tag tag, GmshFile& file) {
   const GmshFile::Node node = {tag, {in.number<double>(), in.number<double>(), in.number<double>()}};
   for (const double x : node.x) {
     if (!std::isfinite(x)) in.refuse(fmt::format("node {} has a coordinate that is not finite", tag));
+    if (std::abs(x) > largest_size)
+      in.refuse(fmt::format("node {} has the coordinate {:g}; expected at most {:g} in size", tag, x, largest_size));
   }
   file.nodes.push_back(node);
 }
@@ -255,6 +258,8 @@ GmshFile read_gmsh_file(const std::filesystem::path& path) {
       } else {
         version_4 ? read_elements_4(in, groups, file) : read_elements_2(in, file);
       }
+    } else if (section == "NOD") {
+      in.refuse("Gmsh format 1 is not read; save the mesh as version 2.2 or 4.1 ASCII (Mesh.MshFileVersion)");
     } else {
       in.skip_section(section);
       continue;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "scene/scene.h"
@@ -57,12 +58,15 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
 }
 
 template <int dim> std::string describe(const RigidMotion<dim>& motion) {
-  if (motion.rotation == 0)
-    return fmt::format("moving it by ({:.3g}, {:.3g})", motion.translation[0], motion.translation[1]);
+  const auto rounded = [](const Vector<dim>& x, double size) {
+    return fmt::format("({:.3g}, {:.3g})", std::abs(x[0]) < 1e-12 * size ? 0 : x[0],
+                       std::abs(x[1]) < 1e-12 * size ? 0 : x[1]);
+  };
+  if (motion.rotation == 0) return "moving it by " + rounded(motion.translation, motion.translation.norm());
   // A translation with a rotation is a rotation about another point.
   const Vector<dim> pole = motion.centre + Vector<dim>(-motion.translation[1], motion.translation[0]) / motion.rotation;
-  return fmt::format("turning it {} about ({:.3g}, {:.3g})", motion.rotation > 0 ? "counter-clockwise" : "clockwise",
-                     pole[0], pole[1]);
+  return fmt::format("turning it {} about {}", motion.rotation > 0 ? "counter-clockwise" : "clockwise",
+                     rounded(pole, motion.centre.norm() + 1 / std::abs(motion.rotation)));
 }
 
 template struct RigidMotion<2>;

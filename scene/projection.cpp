@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/range.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -38,6 +39,9 @@ constexpr std::array<Sample, samples> quadrature = [] {
 double finite_value(const Function<2>& given, const Vector<2>& x, const std::string& where) {
   const double value = given(x);
   if (!std::isfinite(value)) fail(Status::input, where, fmt::format("the value at {} is not finite", point(x)));
+  if (std::abs(value) > largest_size)
+    fail(Status::input, where,
+         fmt::format("the value at {} is {:g}; expected at most {:g} in size", point(x), value, largest_size));
   return value;
 }
 

@@ -212,8 +212,8 @@ template <int dim> struct Problem {
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
 /// interpolated linearly, gaps quadratically; matches the contact sides edge by edge.
-/// \throw Error (input: unknown names, two conditions on one part, values that are not finite, prescribed
-///        displacements that contradict each other at a vertex; mesh: sides that do not match)
+/// \throw Error (input: unknown names, two conditions on one part, values that are not finite or out of
+///        range, prescribed displacements that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 
 // ---- refinement -----------------------------------------------------------------------------------------------------
@@ -250,7 +250,8 @@ template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, cons
 /// point of the body by about 1 [HH81, R ∩ V].
 template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body);
 
-/// "moving it by (0, 1)" or "turning it by 1 about (2, 3)", for messages.
+/// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", for messages; coordinates at rounding level are 0.
+/// \pre some point of the body is moved by about 1, as by free_motions()
 template <int dim> std::string describe(const RigidMotion<dim>& motion);
 
 }  // namespace bracket::scene

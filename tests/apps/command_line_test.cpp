@@ -58,6 +58,43 @@ TEST_F(CommandLine, WhatTheUserCanMendEndsInOneLineAndItsStatus) {
   EXPECT_EQ(shell("bracket check scene.toml --set 'boundary.\"upper.top\".traction=[0, 0.1]'").status, 4);
 }
 
+TEST_F(CommandLine, CheckRefusesWhatRunRefusesBeforeItSolves) {
+  const std::string pushed = " scene.toml --set 'boundary.\"upper.left\"={fixed=[0, -0.01]}'";  // into the lower block
+  for (const char* command : {"bracket check", "bracket run"}) {
+    const Ended ended = shell(command + pushed + " --set 'boundary.\"lower.left\".fixed=[0, 0]'");
+    EXPECT_EQ(ended.status, 4) << command;
+    EXPECT_EQ(ended.err,
+              "bracket: the displacements prescribed at the contact of 'upper.bottom' close its gap by up to 0.01 more "
+              "than it has at (0, 1): no displacement of degree 2 is admissible\n");
+  }
+}
+
+TEST_F(CommandLine, WhatIsNotDoneEndsInOneLineOnStandardError) {
+  const auto expect_reason = [](const Ended& ended, int status, const std::string& part) {
+    EXPECT_EQ(ended.status, status) << ended.err;
+    EXPECT_NE(ended.out, "");
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_EQ(ended.err.rfind("bracket: ", 0), 0u) << ended.err;
+    EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+  };
+  expect_reason(shell("bracket run scene.toml --no-report --set refine.target=1e-9"), 5, "the target 1e-09");
+  // A strain that the displacement hides from floating point.
+  expect_reason(shell("bracket run scene.toml --quiet --set contact.0.gap=-1e-12 "
+                      "--set boundary='{\"lower.bottom\"={fixed=[1, 1]}, \"upper.top\"={fixed=[1, 1]}}'"),
+                6, "check '");
+}
+
+TEST_F(CommandLine, ASceneWithoutEnergyPrintsZeros) {
+  const Ended ended = shell("bracket run scene.toml --set 'boundary.\"upper.top\".traction=[0, 0]'");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.out.rfind("energy in [0, 0]   relative width 0   guaranteed relative error 0 %\n", 0), 0u)
+      << ended.out;
+  EXPECT_EQ(ended.out.find("-0,"), std::string::npos) << ended.out;
+  const std::string json = read("scene.out/report.json");
+  EXPECT_EQ(json.find("-0.0"), std::string::npos) << json;
+  EXPECT_EQ(json.find("null"), std::string::npos) << json;
+}
+
 TEST_F(CommandLine, OverridesChangeTheScene) {
   const Ended stiff = shell("bracket run scene.toml --quiet --set bodies.lower.E=1e3 --set bodies.upper.E=2e3");
   const Ended given = shell("bracket run scene.toml --quiet");

@@ -42,7 +42,8 @@ TEST(Checks, see_penetration_at_and_between_nodes) {
 }
 
 TEST(Checks, see_penetration_of_a_body_that_flies_off) {
-  // Sideways the bodies are held by nothing; a motion without end along the contact must not make penetration look small.
+  // Sideways the bodies are held by nothing; a motion without end along the contact must not make penetration look
+  // small.
   const auto problem = tests::problem(tests::linear_pressure({}, 4, 2));
   auto u = primal::solve(problem, 2).displacement;
   const auto stress = dual::solve(problem).stress;
@@ -103,6 +104,17 @@ TEST(Checks, see_tension) {
   for (auto& cell : s.stress.cell)
     for (auto& corner : cell) corner[1] += 1;
   EXPECT_GT(s.checks().tension, 0.1);
+}
+
+TEST(Checks, name_the_worst) {
+  Checks checks;
+  checks.tension = 0.5;
+  checks.equilibrium = 0.25;
+  EXPECT_EQ(checks.worst().name, "tension");
+  EXPECT_EQ(checks.worst().value, 0.5);
+  checks.interface_jump = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(checks.worst().name, "interface jump");
+  EXPECT_FALSE(checks.passed());
 }
 
 TEST(Checks, do_not_pass_what_is_not_a_number) {

@@ -113,6 +113,81 @@ TEST(Driver, refines_where_a_coarse_mesh_cannot_balance_the_loads) {
   EXPECT_FALSE(refined.levels.empty());
 }
 
+/// Two blocks without loads, the upper one held by nothing but the contact.
+scene::Scene<2> unloaded(double gap) {
+  auto s = tests::two_blocks(4);
+  s.boundary = {{"lower.bottom", tests::fixed(0, 0)}};
+  s.contact[0].gap = tests::constant(gap);
+  return s;
+}
+
+TEST(Driver, scenes_without_energy_have_an_exact_bracket_and_reach_any_target) {
+  std::vector<scene::Scene<2>> scenes = {unloaded(0), unloaded(0.1), unloaded(-0.1)};
+  scenes.push_back(unloaded(0));  // carried away and turned
+  scenes.back().boundary["lower.bottom"] = {tests::ConditionKind::fixed,
+                                            {[](const auto& x) { return 0.1 - 0.01 * x[1]; },
+                                             [](const auto& x) { return 0.3 + 0.01 * x[0]; }},
+                                            ""};
+  scenes.push_back(unloaded(0));  // a box of walls
+  scenes.back().contact.clear();
+  for (const char* side : {"upper.left", "upper.right", "upper.top", "upper.bottom"})
+    scenes.back().contact.push_back({side, "rigid", tests::constant(0.01), ""});
+  scenes.push_back(unloaded(0.1));  // the gap just closes
+  scenes.back().boundary["lower.bottom"] = tests::fixed(0, 0.1);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const int degree : {1, 2})
+      for (const double young : {1.0, 2e11}) {
+        scenes[i].solve.degree = degree;
+        scenes[i].bodies["lower"] = scene::isotropic<2>(young, 0.3, false);
+        scenes[i].refine = {.strategy = "adaptive", .target = 1e-6};
+        const auto outcome = run(scenes[i]);
+        EXPECT_EQ(outcome.status, Status::done) << i << ": " << outcome.reason;
+        EXPECT_EQ(outcome.levels.size(), 1u) << i;
+        EXPECT_EQ(outcome.lower, 0) << i;
+        EXPECT_FALSE(std::signbit(outcome.lower)) << i;
+        EXPECT_EQ(outcome.upper, 0) << i;
+        EXPECT_EQ(outcome.relative_error_bound, 0) << i;
+      }
+}
+
+TEST(Driver, small_strains_are_not_taken_for_none) {
+  // Stretched along with a displacement 10⁵ or 10¹¹ times as large: σ = E' ε, L = ½ E' ε².
+  for (const double strain : {1e-5, 1e-11}) {
+    scene::Scene<2> s;
+    s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
+    s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+    s.boundary = {{"b.left", tests::sliding(-1)}, {"b.right", tests::sliding(1 + strain)}};
+    const auto outcome = run(s);
+    const double exact = strain * strain / 2 / (1 - 0.09);
+    EXPECT_EQ(outcome.status, strain == 1e-5 ? Status::done : Status::not_guaranteed) << outcome.reason;
+    EXPECT_NEAR(outcome.lower, exact, 0.1 * exact);  // of 1 + 1e-11 rounding leaves five digits
+    EXPECT_NEAR(outcome.upper, exact, 0.1 * exact);
+    if (outcome.status != Status::done) {
+      EXPECT_NE(outcome.reason.find("check '"), std::string::npos) << outcome.reason;
+    }
+  }
+}
+
+TEST(Driver, loads_that_rounding_hides_are_not_taken_for_none) {
+  // Uniaxial tension below a wall: L = −½ p²/E' < 0, but the gap is 10¹⁵ times as large as the displacements.
+  scene::Scene<2> s;
+  s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  s.boundary = {{"b.left", tests::pressure(tests::constant(-1e-15))},
+                {"b.right", tests::pressure(tests::constant(-1e-15))}};
+  s.contact = {{"b.top", "rigid", tests::constant(1), ""}};
+  const auto outcome = run(s);
+  EXPECT_EQ(outcome.status, Status::not_guaranteed);
+  EXPECT_TRUE(std::isfinite(outcome.levels[0].checks.boundary_traction));  // of λ = 0 it would not be
+}
+
+TEST(Driver, a_resultant_through_the_end_of_the_contact_is_not_promised_a_finer_mesh) {
+  auto s = tests::linear_pressure({.c = 3}, 4, 2);
+  const auto outcome = run(s);
+  EXPECT_EQ(outcome.status, Status::not_guaranteed);
+  EXPECT_NE(outcome.reason.find("no mesh"), std::string::npos) << outcome.reason;
+}
+
 TEST(Mark, takes_as_few_cells_as_carry_the_bulk) {
   const auto problem = tests::problem(tests::two_blocks(4));
   Indicator indicator;

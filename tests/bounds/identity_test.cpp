@@ -28,7 +28,8 @@ scene::Scene<2> everything() {
 }
 
 /// Adds noise where nothing is prescribed.
-primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Displacement<2> u, double size, unsigned seed) {
+primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Displacement<2> u, double size,
+                                  unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> noise(-size, size);
   std::vector<char> keep_vertex(u.vertex.size(), 0), keep_edge(u.edge.size(), 0);
@@ -57,7 +58,8 @@ TEST(GapIdentity, holds_for_any_displacement_that_keeps_the_supports) {
       const auto u = disturbed(problem, displacements.displacement, size, 5);
       const auto energy = potential_energy(problem, u);
       const double sum = indicator(problem, u, stresses.stress).sum;
-      EXPECT_NEAR(sum, energy.total + s, 1e-14 * (energy.strain + std::abs(s))) << "degree " << degree << ", noise " << size;
+      EXPECT_NEAR(sum, energy.total + s, 1e-14 * (energy.strain + std::abs(s)))
+          << "degree " << degree << ", noise " << size;
     }
   }
 }

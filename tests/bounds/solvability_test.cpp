@@ -10,7 +10,7 @@ namespace {
 /// The message with which a scene is refused as ill-posed; empty if it is not.
 std::string refusal(const scene::Scene<2>& scene) {
   try {
-    check_solvability(tests::problem(scene));
+    check_solvability(tests::problem(scene), scene.solve.degree);
   } catch (const scene::Error& error) {
     EXPECT_EQ(error.status(), scene::Status::ill_posed);
     return error.what();
@@ -58,6 +58,16 @@ TEST(Solvability, resultant_must_pass_through_the_contact) {
   }
 }
 
+TEST(Solvability, prescribed_displacements_must_keep_the_contact) {
+  auto s = on_a_wall();
+  s.boundary["block.left"] = tests::fixed(0, -0.01);
+  const std::string message = refusal(s);
+  EXPECT_NE(message.find("'block.bottom'"), std::string::npos) << message;
+  EXPECT_NE(message.find("0.01 more than it has at (-1, 0)"), std::string::npos) << message;
+  s.contact[0].gap = tests::constant(0.01);
+  EXPECT_EQ(refusal(s), "");
+}
+
 TEST(Solvability, bodies_stand_on_each_other) {
   auto s = tests::linear_pressure({.c = 0.3}, 4, 2);
   EXPECT_EQ(refusal(s), "");
@@ -70,7 +80,8 @@ TEST(Solvability, bodies_held_by_nothing_need_balanced_loads) {
   s.blocks = {tests::block("free", 0, 1, 0, 1, 2, 2)};
   s.bodies = {{"free", scene::isotropic<2>(1, 0.3, false)}};
   EXPECT_EQ(refusal(s), "");
-  s.boundary = {{"free.left", tests::pressure(tests::constant(-1))}, {"free.right", tests::pressure(tests::constant(-1))}};
+  s.boundary = {{"free.left", tests::pressure(tests::constant(-1))},
+                {"free.right", tests::pressure(tests::constant(-1))}};
   EXPECT_EQ(refusal(s), "");
   const auto outcome = run(s);  // uniaxial tension, exact: L = −½ σ²/E' for a unit square
   EXPECT_NEAR(outcome.levels[0].bracket.lower, -0.5 * (1 - 0.09), 1e-13);

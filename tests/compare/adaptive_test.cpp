@@ -79,9 +79,9 @@ TEST(Effectivity, is_one_without_contact) {
 }
 
 TEST(Effectivity, stays_near_one_with_a_free_contact_boundary) {
-  // ‖u − u_h‖² ≤ 2 (L(u_h) − L(u)) and ‖σ − λ_h‖² ≤ 2 (L(u) + S(λ_h)): the errors are at most the bound, and without the
-  // contact terms ∫ p (g − r_h), ∫ p_h (g − r) they would be equal to it. Those are bounded by the width: what they take
-  // is seen in the contact share of the indicator, which stays a small part.
+  // ‖u − u_h‖² ≤ 2 (L(u_h) − L(u)) and ‖σ − λ_h‖² ≤ 2 (L(u) + S(λ_h)): the errors are at most the bound, and without
+  // the contact terms ∫ p (g − r_h), ∫ p_h (g − r) they would be equal to it. Those are bounded by the width: what they
+  // take is seen in the contact share of the indicator, which stays a small part.
   const auto outcome = refined(from_file("three_halves"), 2, 5000);
   double contact = 0;
   for (const double share : outcome.indicator.contact) contact += share;

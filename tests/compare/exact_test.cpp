@@ -70,7 +70,8 @@ TEST(Exact, modulus_ratios_from_1e_minus_12_to_1e12) {
 TEST(Exact, units_do_not_matter) {
   for (const double length : {1e-9, 1e9})
     for (const double force : {1e-9, 1e9}) {
-      auto scene = linear_pressure({.young_lower = force / (length * length), .young_upper = 2 * force / (length * length)}, 4, 2);
+      auto scene = linear_pressure(
+          {.young_lower = force / (length * length), .young_upper = 2 * force / (length * length)}, 4, 2);
       scene.boundary["upper.top"] =
           pressure([=](const Vector<2>& x) { return force / (length * length) * (1 - 0.5 * x[0] / length); });
       for (auto& b : scene.blocks)
@@ -88,7 +89,8 @@ TEST(Exact, wavy_wall_at_every_level) {  // design §6.4
   EXPECT_NEAR(exact, -4.32369522656338e-5, 1e-18);
   for (const int n : {2, 4, 8, 16})
     for (const int degree : {1, 2}) {
-      const auto outcome = bounds::run(from_file("westergaard", {cells(0, n, 4 * n), "solve.degree=" + std::to_string(degree)}));
+      const auto outcome =
+          bounds::run(from_file("westergaard", {cells(0, n, 4 * n), "solve.degree=" + std::to_string(degree)}));
       expect_admissible(outcome);
       expect_between(outcome.levels[0], exact, 1e-12);
     }
@@ -99,7 +101,8 @@ TEST(Exact, free_contact_boundary_at_every_level) {  // design §6.5
   EXPECT_NEAR(exact, -0.6465903804122597, 1e-15);
   for (const int n : {2, 4, 8, 16})
     for (const int degree : {1, 2}) {
-      const auto outcome = bounds::run(from_file("three_halves", {cells(0, 2 * n, n), "solve.degree=" + std::to_string(degree)}));
+      const auto outcome =
+          bounds::run(from_file("three_halves", {cells(0, 2 * n, n), "solve.degree=" + std::to_string(degree)}));
       expect_admissible(outcome);
       expect_between(outcome.levels[0], exact, 1e-12);
     }

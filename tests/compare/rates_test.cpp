@@ -8,7 +8,8 @@ namespace bracket::tests {
 namespace {
 
 /// −log₂ of the ratio of the widths of successive meshes, each twice as fine as the one before.
-std::vector<double> orders(const std::function<scene::Scene<2>(int)>& scene, int degree, const std::vector<int>& meshes) {
+std::vector<double> orders(const std::function<scene::Scene<2>(int)>& scene, int degree,
+                           const std::vector<int>& meshes) {
   std::vector<double> orders;
   double previous = 0;
   for (const int n : meshes) {

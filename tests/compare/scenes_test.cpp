@@ -33,7 +33,8 @@ TEST_P(EveryScene, bounds_hold_with_both_degrees) {
 }
 
 TEST_P(EveryScene, bounds_hold_on_every_level) {
-  const auto scene = scene::read_scene<2>(GetParam(), {"refine.strategy=adaptive", "refine.target=0", "refine.max_levels=4"});
+  const auto scene =
+      scene::read_scene<2>(GetParam(), {"refine.strategy=adaptive", "refine.target=0", "refine.max_levels=4"});
   const auto outcome = bounds::run(scene);
   EXPECT_EQ(outcome.levels.size(), 4u);
   expect_admissible(outcome);

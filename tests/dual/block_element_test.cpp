@@ -23,8 +23,12 @@ Triangle isosceles(double degrees) {
 }
 
 std::vector<Triangle> triangles() {
-  return {{Plane(0, 0), Plane(1, 0), Plane(0, 1)}, {Plane(2, 1), Plane(5, 1.5), Plane(3, 4)}, isosceles(1), isosceles(178),
-          {Plane(0, 0), Plane(1e-9, 0), Plane(2e-10, 1e-9)}, {Plane(0, 0), Plane(1e9, 0), Plane(1e8, 1e9)}};
+  return {{Plane(0, 0), Plane(1, 0), Plane(0, 1)},
+          {Plane(2, 1), Plane(5, 1.5), Plane(3, 4)},
+          isosceles(1),
+          isosceles(178),
+          {Plane(0, 0), Plane(1e-9, 0), Plane(2e-10, 1e-9)},
+          {Plane(0, 0), Plane(1e9, 0), Plane(1e8, 1e9)}};
 }
 
 scene::Elasticity<2> compliance() { return scene::isotropic<2>(2, 0.3, false).compliance; }
@@ -69,7 +73,8 @@ double largest(const Corners& stress) {
 }
 
 TEST(BlockElement, reference_modes_are_exact) {
-  // Integers: the tractions at the ends of the outer edges give the loads, and those of inner edges agree, to the last bit.
+  // Integers: the tractions at the ends of the outer edges give the loads, and those of inner edges agree, to the last
+  // bit.
   const ReferenceBlock& reference = reference_block();
   const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)}, tripled = {Plane(0, 0), Plane(3, 0), Plane(0, 3)};
   for (int m = 0; m < n_modes; ++m) {
@@ -135,7 +140,9 @@ TEST(BlockElement, modes_have_no_divergence_and_continuous_tractions) {
 }
 
 TEST(BlockElement, contains_all_divergence_free_linear_stresses) {
-  const auto field = [](const Plane& x) { return Voigt<2>(1 + 2 * x[0] - x[1], -3 + x[0] + 4 * x[1], 2 - 4 * x[0] - 2 * x[1]); };
+  const auto field = [](const Plane& x) {
+    return Voigt<2>(1 + 2 * x[0] - x[1], -3 + x[0] + 4 * x[1], 2 - 4 * x[0] - 2 * x[1]);
+  };
   for (const Triangle& t : {triangles()[0], triangles()[1], triangles()[2]}) {
     const BlockElement block = block_element(t, compliance());
     LoadVector loads;
@@ -149,7 +156,8 @@ TEST(BlockElement, contains_all_divergence_free_linear_stresses) {
     const Plane centroid = (t[0] + t[1] + t[2]) / 3;
     for (int k = 0; k < 3; ++k) {
       const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
-      for (int c = 0; c < 3; ++c) EXPECT_LT((s[3 * k + c] - field(part[c])).norm(), 1e3 * eps * std::pow(aspect(t), 2) * largest(s));
+      for (int c = 0; c < 3; ++c)
+        EXPECT_LT((s[3 * k + c] - field(part[c])).norm(), 1e3 * eps * std::pow(aspect(t), 2) * largest(s));
     }
   }
 }

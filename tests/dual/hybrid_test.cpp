@@ -25,7 +25,8 @@ scene::Mesh<2> distorted(scene::Mesh<2> mesh, double cell, unsigned seed) {
 }
 
 /// Largest difference to a stress field that is linear in x, at all corners.
-double misfit(const scene::Mesh<2>& mesh, const Stress<2>& stress, const std::function<Voigt<2>(const Vector<2>&)>& exact) {
+double misfit(const scene::Mesh<2>& mesh, const Stress<2>& stress,
+              const std::function<Voigt<2>(const Vector<2>&)>& exact) {
   double worst = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto& v = mesh.cells[c];
@@ -37,6 +38,16 @@ double misfit(const scene::Mesh<2>& mesh, const Stress<2>& stress, const std::fu
     }
   }
   return worst;
+}
+
+TEST(Hybrid, a_body_that_is_not_held_in_floating_point_is_named) {
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("slab", 0, 1, 0, 1, 2, 2)};
+  scene.bodies = {{"slab", scene::anisotropic<2>(Eigen::Vector3d(1, 1e-17, 1e-17).asDiagonal())}};
+  scene.boundary = {{"slab.left", tests::fixed(0, 0)}};
+  const auto result = solve(tests::problem(scene));
+  EXPECT_EQ(result.outcome, contact::Outcome::not_definite);
+  EXPECT_NE(result.reason.find("'slab'"), std::string::npos) << result.reason;
 }
 
 TEST(Hybrid, constant_stress_through_a_contact_is_exact) {
@@ -69,7 +80,8 @@ TEST(Hybrid, weight_on_a_wall_is_exact_without_lateral_strain) {
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.3, 3));
   const auto result = solve(problem);
   ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
-  EXPECT_LT(misfit(problem.mesh, result.stress, [](const auto& x) { return Voigt<2>(0, -0.5 * (1 - x[1]), 0); }), 1e-11);
+  EXPECT_LT(misfit(problem.mesh, result.stress, [](const auto& x) { return Voigt<2>(0, -0.5 * (1 - x[1]), 0); }),
+            1e-11);
 }
 
 TEST(Hybrid, tension_never_crosses_the_contact) {

@@ -92,6 +92,44 @@ TEST(ContactRows, decided_rows_are_dropped_or_refused) {
   }
 }
 
+TEST(ContactRows, what_is_prescribed_is_refused_at_its_place_without_a_solve) {
+  // A side that rises by 0.01 while the other stays: only there the gap of 0.005 closes.
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 2, 2)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.contact = {{"b.bottom", "rigid", tests::constant(0.005), ""}};
+  scene.boundary = {{"b.left", tests::fixed(0, 0)}, {"b.right", tests::fixed(0, -0.01)}};
+  const auto refusal = [&](int degree) -> std::string {
+    try {
+      check_prescribed(tests::problem(scene), degree);
+    } catch (const scene::Error& error) {
+      EXPECT_EQ(error.status(), scene::Status::ill_posed);
+      return error.what();
+    }
+    return "";
+  };
+  for (const int degree : {1, 2}) {
+    EXPECT_NE(refusal(degree).find("by up to 0.005 more than it has at (1, 0)"), std::string::npos) << refusal(degree);
+  }
+  scene.contact[0].gap = tests::constant(0.01);
+  for (const int degree : {1, 2}) EXPECT_EQ(refusal(degree), "");
+  // Both ends of a facet held: a line between them meets the wall in the middle, a parabola need not.
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
+  scene.contact[0].gap = [](const Vector<2>& x) { return 0.01 - x[0] * (1 - x[0]); };
+  EXPECT_NE(refusal(1).find("at (0.5, 0)"), std::string::npos) << refusal(1);
+  EXPECT_EQ(refusal(2), "");
+}
+
+TEST(Displacements, a_body_that_is_not_held_in_floating_point_is_named) {
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("slab", 0, 1, 0, 1, 2, 2)};
+  scene.bodies = {{"slab", scene::isotropic<2>(1, 0.4999999999999999, false)}};
+  scene.boundary = {{"slab.left", tests::fixed(0, 0)}};
+  const auto result = solve(tests::problem(scene), 2);
+  EXPECT_EQ(result.outcome, contact::Outcome::not_definite);
+  EXPECT_NE(result.reason.find("'slab'"), std::string::npos) << result.reason;
+}
+
 TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
   // A gap that is closed at the ends of one facet and negative between: nodes alone would see no contact.
   scene::Scene<2> scene;
@@ -104,7 +142,8 @@ TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
     const auto result = solve(problem, degree);
     ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
     const auto& facet = problem.mesh.boundary[problem.contact[0].first];
-    const double a = result.displacement.vertex[facet.vertices[0]][1], b = result.displacement.vertex[facet.vertices[1]][1];
+    const double a = result.displacement.vertex[facet.vertices[0]][1],
+                 b = result.displacement.vertex[facet.vertices[1]][1];
     const double middle = degree == 2 ? result.displacement.edge[facet.edge][1] : (a + b) / 2;
     for (const double s : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
       const double u = (1 - s) * (1 - 2 * s) * a + s * (2 * s - 1) * b + 4 * s * (1 - s) * middle;

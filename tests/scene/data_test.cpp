@@ -165,6 +165,9 @@ TEST(Data, ContradictionsAreRefused) {
   const Function<2> root = [](const Vector<2>& at) { return std::sqrt(at[0] - 0.5); };
   const Condition<2> fixed_here = {ConditionKind::fixed, {constant(1), constant(0)}, "here"};
   const Condition<2> pressed = {ConditionKind::pressure, {constant(1)}, "there"};
+  const auto pressed_by = [&](double p) {  // from a formula, which is no number in the scene file
+    return scene_with({{"a.left", {ConditionKind::pressure, {[p](const Vector<2>& x) { return p * x[1]; }}, "here"}}});
+  };
   Scene<2> contact_twice = scene_with({}), same_side = scene_with({}), odd_gap = scene_with({}),
            unknown_side = scene_with({}), unknown_wall = scene_with({});
   contact_twice.contact.push_back({"a.left", "b.bottom", constant(0), "here"});
@@ -199,6 +202,8 @@ TEST(Data, ContradictionsAreRefused) {
       {"not finite, fixed",
        {scene_with({{"a.bottom", {ConditionKind::sliding, {root}, "here"}}}), {"here:", "not finite"}}},
       {"gap not finite", {odd_gap, {"here:", "not finite"}}},
+      {"far too large", {pressed_by(1e200), {"here:", "e+199", "1e+50"}}},
+      {"far too small", {pressed_by(1e-200), {"the largest traction", "e-201", "1e-50"}}},
   };
   for (const auto& [name, bad] : cases) {
     const auto error = error_of([&] { fixed(bad.scene); });
@@ -225,6 +230,13 @@ TEST(Data, PartNamedRigidIsRefusedWhereAWallIsMeant) {
 }
 
 // Two collinear sliding parts meet at a vertex: there they prescribe the same component.
+TEST(Motion, IsDescribedWithoutTheRoundingOfItsCoordinates) {
+  EXPECT_EQ(describe<2>({{1e-17, 1}, 0, {2, 3}}), "moving it by (0, 1)");
+  // The pole is centre + (−t_y, t_x) / rotation.
+  EXPECT_EQ(describe<2>({{0, 1 + eps}, 1, {1, 1.5}}), "turning it counter-clockwise about (0, 1.5)");
+  EXPECT_EQ(describe<2>({{0, 0}, -1e6, {3e-7, 1e-7}}), "turning it clockwise about (3e-07, 1e-07)");  // a small body
+}
+
 TEST(Data, CollinearSlidingPartsMustAgree) {
   const Folder folder;
   GmshContent content = two_squares();

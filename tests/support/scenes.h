@@ -37,7 +37,8 @@ inline scene::Scene<2> two_bodies(double x0, double x1, double t_lower, double t
 /// Design §6.1: any ν with free sides and sliding base and top, the top lowered by `lowering`.
 inline scene::Scene<2> patch(double young, double poisson, double lowering, int n) {
   scene::Scene<2> s = two_bodies(0, 1, 0.5, 0.5, n, n);
-  s.bodies = {{"lower", scene::isotropic<2>(young, poisson, false)}, {"upper", scene::isotropic<2>(young, poisson, false)}};
+  s.bodies = {{"lower", scene::isotropic<2>(young, poisson, false)},
+              {"upper", scene::isotropic<2>(young, poisson, false)}};
   s.boundary = {{"lower.bottom", sliding(0)}, {"upper.top", sliding(-lowering)}};
   return s;
 }
@@ -70,9 +71,9 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
   return s;
 }
 
-/// The Airy stress x² y², i.e. σ = (2x², 2y², −4xy), on the unit square: its tractions are linear on each side, and it is
-/// compatible in an orthotropic material with S66 = −2 S12. Quadratic stress, cubic displacement: in neither space, with
-/// data that every mesh carries exactly. L(u) = −½ ∫ σ : C⁻¹ σ = −½ (8/5 + (8 S12 + 16 S66)/9) = −1.2.
+/// The Airy stress x² y², i.e. σ = (2x², 2y², −4xy), on the unit square: its tractions are linear on each side, and it
+/// is compatible in an orthotropic material with S66 = −2 S12. Quadratic stress, cubic displacement: in neither space,
+/// with data that every mesh carries exactly. L(u) = −½ ∫ σ : C⁻¹ σ = −½ (8/5 + (8 S12 + 16 S66)/9) = −1.2.
 inline scene::Scene<2> smooth(int n) {
   scene::Scene<2> s;
   s.blocks = {block("b", 0, 1, 0, 1, n, n)};

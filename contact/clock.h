@@ -3,15 +3,22 @@
 
 #include <chrono>
 
-namespace bracket::apps {
+namespace bracket {
 
-/// Wall clock since it was made.
+/// Wall clock.
 class Clock {
  public:
+  /// Seconds since it was made or last lapped.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  /// The same, and begins anew.
+  double lap() {
+    const double passed = seconds();
+    *this = Clock();
+    return passed;
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace bracket::apps
+}  // namespace bracket

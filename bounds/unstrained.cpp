@@ -1,0 +1,65 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/unstrained.h"
+
+#include <algorithm>
+
+namespace bracket::bounds {
+
+using scene::Support;
+
+namespace {
+
+template <int dim> bool has_loads(const scene::Problem<dim>& problem) {
+  for (const auto& body : problem.bodies)
+    if (!body.force.isZero(0)) return true;
+  for (const auto& data : problem.facets)
+    if (data.support == Support::traction && (!data.traction[0].isZero(0) || !data.traction[1].isZero(0))) return true;
+  return false;
+}
+
+template <int dim> double largest_given_displacement(const scene::Problem<dim>& problem) {
+  double largest = 0;
+  for (const auto& data : problem.facets)
+    for (int i = 0; i < dim; ++i)
+      largest = std::max({largest, data.displacement[i].norm(), std::abs(data.normal_displacement[i])});
+  for (const auto& pair : problem.contact)
+    for (const double gap : pair.gap) largest = std::max(largest, std::abs(gap));
+  return largest;
+}
+
+/// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
+template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size) {
+  const auto& mesh = problem.mesh;
+  double energy = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const auto& v = mesh.cells[c];
+    const double area = scene::volume(mesh, static_cast<int>(c));
+    double perimeter = 0;
+    for (int k = 0; k < 3; ++k) perimeter += (mesh.vertices[v[(k + 1) % 3]] - mesh.vertices[v[k]]).norm();
+    const double strain = size * perimeter / (2 * area);  // the gradient of a vertex' own function is edge / (2 area)
+    energy += area / 2 * problem.bodies[mesh.cell_body[c]].stiffness.norm() * strain * strain;
+  }
+  return energy;
+}
+
+}  // namespace
+
+template <int dim>
+bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+  if (has_loads(problem)) return false;
+  constexpr double rounding = 1e-14;  // of displacements, relative: some tens of the last place
+  return potential_energy(problem, displacement).strain <=
+         energy_of_noise(problem, rounding * largest_given_displacement(problem));
+}
+
+template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
+  dual::Stress<dim> stress;
+  stress.cell.resize(mesh.cells.size());
+  for (auto& cell : stress.cell) cell.fill(scene::Voigt<dim>::Zero());
+  return stress;
+}
+
+template bool is_unstrained(const scene::Problem<2>&, const primal::Displacement<2>&);
+template dual::Stress<2> no_stress(const scene::Mesh<2>&);
+
+}  // namespace bracket::bounds

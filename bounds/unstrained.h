@@ -1,0 +1,17 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/bounds.h"
+
+namespace bracket::bounds {
+
+/// Whether there are no loads and the bodies but follow the prescribed displacements and gaps, rigidly: u_h has no more
+/// strain energy than the rounding of those data makes. Then L(u) is 0, as 0 ≤ L(u) ≤ L(u_h); and so is the best
+/// stress, λ = 0, which is in K⁺_{0,0}.
+template <int dim>
+bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement);
+
+/// λ = 0
+template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
+
+}  // namespace bracket::bounds
