@@ -27,7 +27,7 @@ std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
                                             const primal::Displacement<2>& displacement, int facet) {
   const auto& at = problem.mesh.boundary[facet];
   const auto stress = bounds::displacement_stress(problem, displacement, at.cell);
-  const scene::Vector<2> d = scene::normal(problem.mesh, facet);
+  const scene::Vector<2> d = problem.facets[facet].normal;
   std::array<double, 2> pressure;
   for (int end = 0; end < 2; ++end) {
     const auto& s = stress[(at.local + 1 + end) % 3];  // edge k runs from vertex k+1 to k+2

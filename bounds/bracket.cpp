@@ -73,7 +73,7 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto& given = condition->second;
     const auto& ends = mesh.boundary[f].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
-    const Vector<dim> n = scene::normal(mesh, facet);
+    const Vector<dim>& n = data.normal;
     const auto vector_at = [&](double s) -> Vector<dim> {
       const Vector<dim> at = linear(x, s);
       if (given.value.size() == 1)

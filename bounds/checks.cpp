@@ -50,7 +50,7 @@ double penetration(const scene::Problem<dim>& problem, const primal::Displacemen
     const auto& data = problem.facets[f];
     if (data.support != Support::fixed && data.support != Support::sliding) continue;
     const auto u = on_facet(problem.mesh, displacement, static_cast<int>(f));
-    const Vector<dim> n = scene::normal(problem.mesh, static_cast<int>(f));
+    const Vector<dim>& n = data.normal;
     const auto& d = data.displacement;
     const auto& s = data.normal_displacement;
     for (int i = 0; i < 3; ++i) {
@@ -61,11 +61,12 @@ double penetration(const scene::Problem<dim>& problem, const primal::Displacemen
   return worst;
 }
 
-/// The corner of part k of a cell, relative to the cell's centroid.
+/// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which are
+/// exact: far from the origin the centroid itself would be rounded by more than small cells bear.
 template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh, int cell, int k) {
   const auto& v = mesh.cells[cell];
-  const Vector<dim> centroid = (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3;
-  return {mesh.vertices[v[(k + 1) % 3]] - centroid, mesh.vertices[v[(k + 2) % 3]] - centroid, Vector<dim>::Zero()};
+  const Vector<dim>&a = mesh.vertices[v[(k + 1) % 3]], &b = mesh.vertices[v[(k + 2) % 3]], &c = mesh.vertices[v[k]];
+  return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<dim>::Zero()};
 }
 
 /// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
@@ -129,7 +130,7 @@ template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& pro
     const auto& data = problem.facets[f];
     if (data.support == Support::fixed) continue;
     const auto t = tractions(problem.mesh, stress, static_cast<int>(f));
-    const Vector<dim> n = scene::normal(problem.mesh, static_cast<int>(f));
+    const Vector<dim>& n = data.normal;
     for (int i = 0; i < 2; ++i) {
       if (data.support == Support::traction) raise(worst.traction, (t[i] - data.traction[i]).norm());
       else raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());

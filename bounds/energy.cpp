@@ -73,14 +73,14 @@ double complementary_energy(const scene::Problem<dim>& problem, const dual::Stre
       for (int c = 0; c < dim; ++c)
         energy -= linear_product(t[0][c], t[1][c], data.displacement[0][c], data.displacement[1][c], length);
     } else {
-      const Vector<dim> n = scene::normal(mesh, facet);
+      const Vector<dim>& n = data.normal;
       const auto& [u0, u1] = data.normal_displacement;
       energy -= linear_product(t[0].dot(n), t[1].dot(n), u0, u1, length);
     }
   }
   for (const auto& pair : problem.contact) {
     const auto t = tractions(mesh, stress, pair.first);
-    const Vector<dim> n = scene::normal(mesh, pair.first);
+    const Vector<dim>& n = problem.facets[pair.first].normal;
     const double p0 = -t[0].dot(n), p1 = -t[1].dot(n);
     energy += simpson(p0 * pair.gap[0], (p0 + p1) / 2 * pair.gap[2], p1 * pair.gap[1], scene::length(mesh, pair.first));
   }

@@ -14,7 +14,7 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
   std::vector<ContactState> states;
   states.reserve(problem.contact.size());
   for (const auto& pair : problem.contact) {
-    const Vector<dim> d = scene::normal(mesh, pair.first);
+    const Vector<dim> d = problem.facets[pair.first].normal;
     const auto t = tractions(mesh, stress, pair.first);
     auto relative = on_facet(mesh, displacement, pair.first);
     if (pair.second >= 0) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <future>
+#include <limits>
 
 #include "bounds/bounds.h"
 #include "bounds/skipped.h"
@@ -85,8 +86,18 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
   return level;
 }
 
+/// By how much energies of two levels may differ through rounding: of sums and, far from the origin, of the midpoints
+/// that refinement adds, which makes the bodies of the levels differ by that much of their size.
+template <int dim> double rounding(const scene::Problem<dim>& problem, const Bracket& bracket) {
+  double farthest = 0;
+  for (const auto& x : problem.mesh.vertices) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const double coordinates = std::numeric_limits<double>::epsilon() * farthest / problem.length_scale;
+  return (1e-12 + 16 * coordinates) * std::max(std::abs(bracket.upper), std::abs(bracket.lower));
+}
+
 /// What is wrong with a level; empty: nothing.
-template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& level) {
+template <int dim>
+std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Level& level) {
   if (!level.checks.passed()) {
     const auto [name, value] = level.checks.worst();
     return fmt::format("the fields computed on {} cells fail the check '{}', {:.1e} by the scene's scale where {:g} is "
@@ -96,9 +107,11 @@ template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& l
   if (level.bracket.lower > level.bracket.upper)
     return fmt::format("the bounds computed on {} cells cross", level.cells);
   // Displacements of nested spaces: only a fault can raise the bound by more than rounding.
-  const double upper = level.bracket.upper, rounding = 1e-12 * std::max(std::abs(upper), std::abs(level.bracket.lower));
-  if (upper > earlier.upper + rounding)
+  const double upper = level.bracket.upper, slack = rounding(problem, level.bracket);
+  if (upper > earlier.upper + slack)
     return fmt::format("the upper bound rose to {} on {} cells, although the spaces are nested", upper, level.cells);
+  if (upper < earlier.lower - slack)
+    return fmt::format("the upper bound {} on {} cells is below a lower bound of an earlier mesh", upper, level.cells);
   return "";
 }
 
@@ -108,10 +121,11 @@ void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<d
   const Bracket& bracket = level.bracket;
   outcome.lower = std::max(outcome.lower, bracket.lower);
   outcome.upper = std::min(outcome.upper, bracket.upper);
+  if (outcome.lower > outcome.upper && bracket.lower <= bracket.upper)
+    std::swap(outcome.lower, outcome.upper);  // levels that differ by rounding only: see fault()
   outcome.relative_error_bound = bracket.relative_error_bound;
-  if (outcome.lower > bracket.lower)  // an earlier level knew better
-    outcome.relative_error_bound *=
-        std::sqrt(std::max(0.0, outcome.upper - outcome.lower) / (bracket.upper - bracket.lower));
+  const double width = outcome.upper - outcome.lower, own_width = bracket.upper - bracket.lower;
+  if (width < own_width) outcome.relative_error_bound *= std::sqrt(width / own_width);  // an earlier level knew better
   outcome.problem = std::move(step.problem);
   outcome.displacement = std::move(solved.primal.displacement);
   outcome.stress = std::move(solved.dual.stress);
@@ -206,7 +220,7 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
       Level level = estimate(scene, step, solved, shares, outcome.levels, unstrained);
       level.seconds.estimate = estimate_clock.seconds();
       level.seconds.total = clock.seconds();
-      why = fault(outcome, level);
+      why = fault(outcome, step.problem, level);
       if (why.empty()) outcome.guarantee = "discretisation";
       if (why.empty() || outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
       if (!why.empty()) return ended(std::move(outcome), refine, why, true);

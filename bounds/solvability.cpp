@@ -34,7 +34,7 @@ template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
     const auto& first = mesh.boundary[pair.first];
-    const Vector<dim> d = scene::normal(mesh, pair.first);
+    const Vector<dim> d = problem.facets[pair.first].normal;
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
       double sign = 0;
       if (all.body[m] == mesh.cell_body[first.cell]) sign += 1;

@@ -44,7 +44,7 @@ template <int dim> void set_boundary(const Problem<dim>& problem, std::vector<Ed
     edge.normal_held = data.support != Support::contact;
     edge.tangent_held = data.support == Support::fixed;
     if (data.support != Support::fixed) {
-      const Vector<dim> n = scene::normal(problem.mesh, static_cast<int>(f));
+      const Vector<dim>& n = data.normal;
       edge.frame << n[0], n[1], -n[1], n[0];
     }
     for (int i = 0; i < 2; ++i) {
@@ -82,9 +82,10 @@ template <int dim> Layout lay_out(const Problem<dim>& problem) {
   return layout;
 }
 
+/// A cell's vertices relative to the first of them: far from the origin a centroid would be rounded otherwise.
 template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
   const auto& v = mesh.cells[cell];
-  return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
+  return {Vector<dim>::Zero(), mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]};
 }
 
 /// One cell, with its loads in the frames of its edges.

@@ -15,10 +15,8 @@ using scene::Vector;
 
 template <int dim> Vector<dim> tangent(const Vector<dim>& normal) { return {-normal[1], normal[0]}; }
 
-template <int dim> double cross(const Vector<dim>& a, const Vector<dim>& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-/// Two facets whose normals differ by less than this continue each other: rounding of coordinates, not a corner.
-constexpr double parallel = 1e-10;
+/// The directions of the data are the same to the last bit (scene::FacetData::normal) or those of a corner.
+template <int dim> bool parallel(const Vector<dim>& a, const Vector<dim>& b) { return a == b || a == -b; }
 
 template <int dim> void fix(Node<dim>& node, const Vector<dim>& displacement) {
   node.prescribed = displacement;
@@ -35,10 +33,9 @@ template <int dim> void slide(Node<dim>& node, const Vector<dim>& n, double valu
     node.free = 1;
     return;
   }
+  if (parallel<dim>(node.directions.col(1), n)) return;
   const Vector<dim> t = node.directions.col(0);
-  const double along = t.dot(n);
-  if (std::abs(along) <= parallel) return;
-  fix<dim>(node, node.prescribed + t * ((value - node.prescribed.dot(n)) / along));
+  fix<dim>(node, node.prescribed + t * ((value - node.prescribed.dot(n)) / t.dot(n)));
 }
 
 /// Builds the facets with this support into the nodes at their ends and, for degree 2, at their midpoints.
@@ -48,7 +45,7 @@ template <int dim> void set_supports(const Problem<dim>& problem, Nodes<dim>& no
     const auto& data = problem.facets[f];
     if (data.support != support) continue;
     const auto& facet = mesh.boundary[f];
-    const Vector<dim> n = scene::normal(mesh, static_cast<int>(f));
+    const Vector<dim>& n = data.normal;
     const auto apply = [&](Node<dim>& node, const Vector<dim>& displacement, double normal_displacement) {
       if (support == Support::fixed) fix(node, displacement);
       if (support == Support::sliding) slide(node, n, normal_displacement);
@@ -74,8 +71,8 @@ template <int dim> struct Approach {
     const Node<dim>& at = nodes.node[node];
     row.bound -= weight * at.prescribed.dot(d);
     for (int k = 0; k < at.free; ++k) {
-      const double coefficient = at.directions.col(k).dot(d);
-      if (std::abs(coefficient) > parallel) row.entries.push_back({body, at.unknown + k, weight * coefficient});
+      if (parallel<dim>(at.directions.col(1 - k), d)) continue;  // this one is at right angles to d
+      row.entries.push_back({body, at.unknown + k, weight * at.directions.col(k).dot(d)});
     }
   }
 };
@@ -104,7 +101,7 @@ template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
     for (int i = 0; i < dim; ++i)
       rows.push_back({mesh.boundary[pair.first].vertices[i],
                       pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i],
-                      scene::normal(mesh, pair.first), pair.gap[i], static_cast<int>(j)});
+                      problem.facets[pair.first].normal, pair.gap[i], static_cast<int>(j)});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const EndRow& a, const EndRow& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
@@ -113,7 +110,7 @@ template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
   for (const EndRow& row : rows) {
     bool merged = false;
     for (auto it = distinct.rbegin(); it != distinct.rend() && it->first == row.first && it->second == row.second; ++it)
-      if (std::abs(cross<dim>(it->normal, row.normal)) <= parallel && it->normal.dot(row.normal) > 0) {
+      if (it->normal == row.normal) {
         it->gap = std::min(it->gap, row.gap);
         merged = true;
         break;
@@ -176,7 +173,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
     const double middle = 2 * gm - ga / 2 - gb / 2;
     // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself.
     if (nodes.degree == 1 && middle >= (ga + gb) / 2) continue;
-    const Vector<dim> d = scene::normal(mesh, pair.first);
+    const Vector<dim>& d = problem.facets[pair.first].normal;
     Row row{{}, middle, static_cast<int>(j)};
     for (const int side : {pair.first, pair.second}) {
       if (side < 0) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/matching.h"
+#include "scene/normals.h"
 #include "scene/projection.h"
 #include "scene/range.h"
 #include "scene/support.h"
@@ -116,13 +117,15 @@ struct FixedFacets {
 FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions) {
   FixedFacets fixed;
   fixed.facets.resize(mesh.boundary.size());
+  const std::vector<Vector<2>> normals = shared_normals(mesh);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
+    FacetData<2>& data = fixed.facets[facet];
+    data.normal = normals[facet];
     if (part == -1 || conditions[part] == nullptr) continue;
     const Condition<2>& condition = *conditions[part];
     const Vector<2>& a = mesh.vertices[vertices[0]];
     const Vector<2>& b = mesh.vertices[vertices[1]];
-    FacetData<2>& data = fixed.facets[facet];
     if (condition.kind == ConditionKind::fixed) data.support = Support::fixed;
     if (condition.kind == ConditionKind::sliding) data.support = Support::sliding;
     const bool load = data.support == Support::traction;
@@ -136,7 +139,7 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
           case ConditionKind::fixed: data.displacement[end][i] = value; break;
           case ConditionKind::sliding: data.normal_displacement[end] = value; break;
           case ConditionKind::traction: data.traction[end][i] = value; break;
-          case ConditionKind::pressure: data.traction[end] = -value * normal(mesh, static_cast<int>(facet)); break;
+          case ConditionKind::pressure: data.traction[end] = -value * data.normal; break;
         }
       }
     }

@@ -24,7 +24,7 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
       const Vector<dim>& x = mesh.vertices[v];
       low = low.cwiseMin(x);
       high = high.cwiseMax(x);
-      if (problem.facets[f].support == Support::sliding) held.emplace_back(normal(mesh, static_cast<int>(f)), x);
+      if (problem.facets[f].support == Support::sliding) held.emplace_back(problem.facets[f].normal, x);
       if (problem.facets[f].support == Support::fixed)
         for (int c = 0; c < dim; ++c) held.emplace_back(Vector<dim>::Unit(c), x);
     }
@@ -45,8 +45,7 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
                                 .template triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
   std::vector<RigidMotion<dim>> free;
-  // Supports whose normals differ by less than this are taken as parallel: rounding of coordinates, not geometry.
-  constexpr double negligible = 1e-9;
+  constexpr double negligible = 1e-9;  // rounding: normals that are not equal differ by far more
   for (int m = 0; m < 3; ++m) {
     const double singular = m < svd.singularValues().size() ? svd.singularValues()[m] : 0;
     if (singular > negligible * svd.singularValues()[0]) continue;

@@ -179,17 +179,22 @@ enum class Support {
 /// The data of one boundary facet, at its vertices, linear between.
 template <int dim> struct FacetData {
   Support support = Support::traction;
+  /// The direction of sliding, pressure and contact: the unit outward normal, one and the same to the last bit for all
+  /// facets of the scene whose normals agree, up to sign, within 1e-6 rad (rounding of coordinates, not geometry; on a
+  /// fine arc less, see scene/normals.h). So facets that meet continue each other where their normals are equal, and
+  /// form a corner where they are not. The mesh's own normal() differs by that rounding; it belongs in Cauchy's λn.
+  Vector<dim> normal = Vector<dim>::Zero();
   std::array<Vector<dim>, dim> traction = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   std::array<Vector<dim>, dim> displacement = {Vector<dim>::Zero(), Vector<dim>::Zero()};
-  std::array<double, dim> normal_displacement = {0, 0};  ///< along the outward normal
+  std::array<double, dim> normal_displacement = {0, 0};  ///< along `normal`
 };
 
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
 /// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.
 struct ContactFacet {
   int pair;                   ///< index into Scene::contact
-  int first;                  ///< index into Mesh::boundary; its outward normal is d
-  int second;                 ///< likewise; −1: a rigid wall
+  int first;                  ///< index into Mesh::boundary; its FacetData::normal is d
+  int second;                 ///< likewise, its normal is −d; −1: a rigid wall
   std::array<double, 3> gap;  ///< at the first facet's vertices 0 and 1 and at its midpoint; quadratic between
 };
 
@@ -211,7 +216,8 @@ template <int dim> struct Problem {
 };
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
-/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge.
+/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge;
+/// gives the facets of one straight line one normal.
 /// \throw Error (input: unknown names, two conditions on one part, values that are not finite or out of
 ///        range, prescribed displacements that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);

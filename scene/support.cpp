@@ -26,21 +26,20 @@ std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetD
     if (!prescribes(leaving) || !prescribes(ends)) continue;
     FacetData<2>& out = facets[leaving];
     FacetData<2>& in = facets[ends];
-    const Vector<2> normal_out = normal(mesh, leaving), normal_in = normal(mesh, ends);
     double difference = 0;
     if (in.support == Support::fixed && out.support == Support::fixed) {
       difference = (out.displacement[0] - in.displacement[1]).norm();
       out.displacement[0] = in.displacement[1];
     } else if (in.support == Support::fixed) {
-      const double value = normal_out.dot(in.displacement[1]);
+      const double value = out.normal.dot(in.displacement[1]);
       difference = std::abs(out.normal_displacement[0] - value);
       out.normal_displacement[0] = value;
     } else if (out.support == Support::fixed) {
-      const double value = normal_in.dot(out.displacement[0]);
+      const double value = in.normal.dot(out.displacement[0]);
       difference = std::abs(in.normal_displacement[1] - value);
       in.normal_displacement[1] = value;
-    } else if (std::abs(normal_in[0] * normal_out[1] - normal_in[1] * normal_out[0]) <= 1e-10) {
-      const double value = (normal_in.dot(normal_out) > 0 ? 1 : -1) * in.normal_displacement[1];
+    } else if (in.normal == out.normal || in.normal == -out.normal) {
+      const double value = (in.normal == out.normal ? 1 : -1) * in.normal_displacement[1];
       difference = std::abs(out.normal_displacement[0] - value);
       out.normal_displacement[0] = value;
     }

@@ -7,6 +7,7 @@ namespace bracket::scene {
 
 /// The facets' data with prescribed displacements that agree at each vertex to the last bit: what two facets prescribe
 /// there for the same component (fixed or sliding) may differ by 1e-9 of `largest`, the largest displacement given.
+/// \pre the facets have their normals
 /// \param conditions of each boundary part, null: none
 /// \throw Error (input) if they differ by more
 std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetData<2>> facets,

@@ -92,6 +92,20 @@ void expect_children(const Mesh<2>& old, const std::vector<char>& marked, const 
   for (std::size_t i = 0; i < old.vertices.size(); ++i) EXPECT_EQ(mesh.vertices[i], old.vertices[i]);
 }
 
+/// Each facet or its two halves have its normal to the last bit; they come in its order.
+void expect_inherited_normals(const Problem<2>& old, const Problem<2>& problem) {
+  std::size_t child = 0;
+  for (std::size_t i = 0; i < old.facets.size(); ++i) {
+    bool ended = false;
+    for (int half = 0; half < 2 && !ended; ++half, ++child) {
+      ASSERT_LT(child, problem.facets.size());
+      EXPECT_EQ(problem.facets[child].normal, old.facets[i].normal);
+      ended = problem.mesh.boundary[child].vertices[1] == old.mesh.boundary[i].vertices[1];
+    }
+    ASSERT_TRUE(ended);
+  }
+}
+
 /// A piece of a polynomial stays the polynomial that it was given as.
 void expect_polynomial_data(const Problem<2>& problem, int rounds) {
   const Mesh<2>& mesh = problem.mesh;
@@ -138,6 +152,7 @@ TEST(Refine, RandomMarksKeepTheMeshSound) {
       const std::vector<char> marked = some(problem.mesh, random, 7);
       Refined<2> refined = refine(problem, marked);
       expect_children(problem.mesh, marked, refined);
+      expect_inherited_normals(problem, refined.problem);
       problem = std::move(refined.problem);
       expect_conforming(problem.mesh);
       expect_matched(problem);

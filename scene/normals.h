@@ -1,0 +1,15 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/scene.h"
+
+namespace bracket::scene {
+
+/// The FacetData::normal of each boundary facet: normals that agree up to sign within 1e-6 rad, and those between which
+/// others make such steps, become one: that of the longest of their facets, of those along an axis if there are any.
+/// Steps that add up to more than 1e-5 rad are a fine arc rather than one straight line: there both angles are a tenth,
+/// and again, until the arc has its corners.
+/// \pre the mesh has cells
+std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh);
+
+}  // namespace bracket::scene
