@@ -85,6 +85,22 @@ template <int dim>
 Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                 const dual::Stress<dim>& stress, const Indicator& indicator);
 
+/// Bounds that hold in floating point, whatever the solvers did [HH81 §3]. Displacements are moved into K exactly, edge
+/// loads into exact balance with the data, and both energies are enclosed with every rounding error accounted for.
+struct Certificate {
+  bool valid = false;
+  std::string reason;        ///< if not: one line
+  double lower = 0;          ///< ≤ L(u)
+  double upper = 0;          ///< ≥ L(u)
+  double strain_energy = 0;  ///< ≤ ½ A(u_h,u_h)
+  /// Rounding of the data along rigid motions that nothing holds, removed from them: largest load added, by the largest.
+  double added_load = 0;
+};
+/// \param displacement, stress need not solve anything; the closer they do, the closer the bounds
+template <int dim>
+Certificate certify(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                    const dual::Stress<dim>& stress);
+
 /// An estimate of what fixing the data edgewise did to the energy, to first order and in absolute value:
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
 /// where I u_h is linear on each facet (degree 1: its mean), to which P − P_h is orthogonal.

@@ -6,6 +6,7 @@ namespace bracket::scene {
 template <int dim> Body<dim> isotropic(double young, double poisson, bool plane_stress) {
   static_assert(dim == 2);
   Body<dim> body;
+  body.isotropic = {young, poisson, plane_stress};
   const double shear = young / (2 * (1 + poisson));
   const double normal = plane_stress ? young / ((1 - poisson) * (1 + poisson))
                                      : young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));

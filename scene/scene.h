@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -54,7 +55,12 @@ template <int dim> struct Block {
 
 /// An elastic material and its weight. Isotropic materials keep stiffness and compliance in closed form, neither is
 /// computed as the inverse of the other, so that both stay accurate as ν → ½.
+struct Isotropic {
+  double young, poisson;
+  bool plane_stress;
+};
 template <int dim> struct Body {
+  std::optional<Isotropic> isotropic;  ///< what the matrices are made of
   Elasticity<dim> stiffness = Elasticity<dim>::Zero();
   Elasticity<dim> compliance = Elasticity<dim>::Zero();
   Vector<dim> force = Vector<dim>::Zero();  ///< body force per volume, constant

@@ -1,0 +1,183 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/equilibrate.h"
+
+#include <algorithm>
+
+#include "bounds/fields.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+
+PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress) {
+  const auto& mesh = problem.mesh;
+  PlainLoads loads;
+  loads.edge.assign(mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
+  std::vector<char> sides(mesh.edges.size(), 0);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const int edge = mesh.cell_edges[c][k];
+      const int from = mesh.cells[c][(k + 1) % 3], to = mesh.cells[c][(k + 2) % 3];
+      const Vector<2> e = mesh.vertices[to] - mesh.vertices[from];
+      const Vector<2> normal(e[1], -e[0]);  // as long as the edge
+      const Vector<2> begin = traction<2>(stress.cell[c][3 * k], normal), end = traction<2>(stress.cell[c][3 * k + 1], normal);
+      const bool along = mesh.edges[edge][0] == from;
+      loads.edge[edge][0] += along ? begin : Vector<2>(-end);
+      loads.edge[edge][1] += along ? end : Vector<2>(-begin);
+      ++sides[edge];
+    }
+  for (std::size_t e = 0; e < sides.size(); ++e)
+    for (Vector<2>& load : loads.edge[e]) load /= sides[e];
+
+  loads.along_normal.assign(problem.facets.size(), {0, 0});
+  const auto on_facet = [&](int facet) {
+    const auto& edge = loads.edge[mesh.boundary[facet].edge];
+    const Vector<2>& n = problem.facets[facet].normal;
+    return forward(mesh.boundary[facet]) ? std::array{edge[0].dot(n), edge[1].dot(n)}
+                                         : std::array{-edge[1].dot(n), -edge[0].dot(n)};
+  };
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == Support::sliding) loads.along_normal[f] = on_facet(static_cast<int>(f));
+  for (const auto& pair : problem.contact) {
+    auto& pressure = loads.along_normal[pair.first];
+    pressure = on_facet(pair.first);
+    if (pair.second >= 0) {
+      const auto across = on_facet(pair.second);
+      for (int i = 0; i < 2; ++i) pressure[i] = (pressure[i] + across[1 - i]) / 2;
+    }
+    for (double& p : pressure) p = std::max(0.0, -p);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support != Support::fixed)
+      loads.edge[mesh.boundary[f].edge] = {Vector<2>::Zero(), Vector<2>::Zero()};
+  return loads;
+}
+
+std::vector<Reference> references(const scene::Mesh<2>& mesh) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Vector<2>> low(mesh.bodies.size(), Vector<2>::Constant(infinity)), high(mesh.bodies.size(), -low[0]);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const int v : mesh.cells[c]) {
+      low[mesh.cell_body[c]] = low[mesh.cell_body[c]].cwiseMin(mesh.vertices[v]);
+      high[mesh.cell_body[c]] = high[mesh.cell_body[c]].cwiseMax(mesh.vertices[v]);
+    }
+  std::vector<Reference> result;
+  for (std::size_t b = 0; b < low.size(); ++b) result.push_back({(low[b] + high[b]) / 2, (high[b] - low[b]).norm() / 2});
+  return result;
+}
+
+namespace {
+
+struct Candidate {
+  Reaction reaction;
+  double weight;
+};
+
+std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
+  constexpr double of_data = 1e-6;  // so small that any other reaction comes first
+  std::vector<Candidate> result;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    const auto& [a, b] = problem.mesh.boundary[f].vertices;
+    const double length = (problem.mesh.vertices[b] - problem.mesh.vertices[a]).norm();
+    const Support support = problem.facets[f].support;
+    if (support == Support::fixed || support == Support::traction)
+      for (int which = 0; which < 3; ++which)
+        result.push_back({{Reaction::Kind::any, facet, which},
+                          (support == Support::fixed ? 1 : of_data) / (which == 2 ? length : 1)});
+    if (support == Support::sliding)
+      for (int end = 0; end < 2; ++end) result.push_back({{Reaction::Kind::normal, facet, end}, 1});
+  }
+  std::vector<double> largest;  // pressure of each pair
+  for (const auto& pair : problem.contact) {
+    largest.resize(std::max<std::size_t>(largest.size(), pair.pair + 1), 0);
+    for (const double p : loads.along_normal[pair.first]) largest[pair.pair] = std::max(largest[pair.pair], p);
+  }
+  for (const auto& pair : problem.contact)
+    for (int end = 0; end < 2; ++end)
+      if (const double p = loads.along_normal[pair.first][end]; p > 0)
+        result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second}, p / largest[pair.pair]});
+  return result;
+}
+
+}  // namespace
+
+std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads) {
+  const std::vector<Reference> about = references(problem.mesh);
+  const std::vector<Candidate> all = candidates(problem, loads);
+  const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
+  Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    const auto column = effect<double>(problem, about, all[j].reaction);
+    effects.col(static_cast<Eigen::Index>(j)) = all[j].weight * Eigen::Map<const Eigen::VectorXd>(column.data(), n);
+  }
+  if (effects.cols() < n) return {};
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(effects);
+  std::vector<Reaction> chosen;
+  for (Eigen::Index k = 0; k < n && std::abs(qr.matrixQR()(k, k)) > 1e-10; ++k)
+    chosen.push_back(all[qr.colsPermutation().indices()[k]].reaction);
+  return chosen;
+}
+
+std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Reference>& references) {
+  std::vector<std::array<int, 2>> cells_at(mesh.edges.size(), {-1, -1});
+  std::vector<int> root(mesh.bodies.size(), -1);
+  std::vector<double> nearest(mesh.bodies.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    for (const int edge : mesh.cell_edges[c]) cells_at[edge][cells_at[edge][0] >= 0] = static_cast<int>(c);
+    const int body = mesh.cell_body[c];
+    const double distance = (mesh.vertices[mesh.cells[c][0]] - references[body].point).norm();
+    if (distance >= nearest[body]) continue;
+    nearest[body] = distance;
+    root[body] = static_cast<int>(c);
+  }
+  std::vector<Branch> order;
+  std::vector<char> reached(mesh.cells.size(), 0);
+  for (const int cell : root) {
+    order.push_back({cell, -1, -1});
+    reached[cell] = 1;
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const int cell = order[k].cell;
+    for (const int edge : mesh.cell_edges[cell])
+      for (const int other : cells_at[edge]) {
+        if (other < 0 || reached[other]) continue;
+        reached[other] = 1;
+        const auto& edges = mesh.cell_edges[other];  // edge m lies between the corners m + 1 and m + 2
+        const int m = static_cast<int>(std::find(edges.begin(), edges.end(), edge) - edges.begin());
+        order.push_back({other, cell, (m + 1) % 3});
+      }
+  }
+  return order;
+}
+
+// With R an approximate inverse and ‖1 − R A‖ ≤ q < 1 in the largest row sum,  |x − R b| ≤ q / (1 − q) · max |R b|.
+std::optional<std::vector<Enclosure>> solution(const std::vector<std::vector<Enclosure>>& a,
+                                               const std::vector<Enclosure>& b) {
+  const std::size_t n = b.size();
+  Eigen::MatrixXd middle(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) middle(i, j) = static_cast<double>(a[i][j].middle);
+  const Eigen::MatrixXd inverse = middle.fullPivLu().inverse();
+  Real q = 0, largest = 0;
+  std::vector<Enclosure> x(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Real row = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      Enclosure rest(i == j ? -1.0 : 0.0);
+      for (std::size_t k = 0; k < n; ++k) rest += Enclosure(inverse(i, k)) * a[k][j];
+      row = rounding::up(row + magnitude(rest));
+      x[i] += Enclosure(inverse(i, j)) * b[j];
+    }
+    q = std::max(q, row);
+    largest = std::max<Real>(largest, magnitude(x[i]));
+  }
+  if (!(q < 0.5) || !std::isfinite(largest)) return {};
+  const Real more = rounding::up(2 * q * largest);  // 1 / (1 − q) ≤ 2
+  if (largest > 0)
+    for (Enclosure& value : x) value.radius = rounding::up(value.radius + more);
+  return x;
+}
+
+}  // namespace bracket::bounds
