@@ -40,6 +40,7 @@ Spent spent(const std::vector<bounds::Level>& levels) {
     sum.primal += level.seconds.primal;
     sum.dual += level.seconds.dual;
     sum.estimate += level.seconds.estimate;
+    sum.certify += level.seconds.certify;
     const Phases primal = primal_phases(level), dual = dual_phases(level);
     for (std::size_t i = 0; i < phase_names.size(); ++i) {
       sum.primal_phases[i] += primal[i];

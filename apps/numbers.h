@@ -24,7 +24,7 @@ Phases dual_phases(const bounds::Level& level);
 
 /// Seconds of several levels, added up.
 struct Spent {
-  double mesh = 0, primal = 0, dual = 0, estimate = 0;
+  double mesh = 0, primal = 0, dual = 0, estimate = 0, certify = 0;
   Phases primal_phases{}, dual_phases{};
 };
 Spent spent(const std::vector<bounds::Level>& levels);

@@ -57,6 +57,9 @@ Json quality_json(const scene::Mesh<2>& mesh) {
           {"largest_area", quality.largest_area}};
 }
 
+/// The energies as they were computed, before the certificate.
+Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lower}, {"upper", level.plain.upper}}; }
+
 }  // namespace
 
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
@@ -73,6 +76,8 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
           {"error_bound", level.bracket.error_bound},
           {"mean_stress_error_bound", level.bracket.mean_stress_error_bound},
           {"relative_error_bound", level.bracket.relative_error_bound},
+          {"plain", plain_json(level)},
+          {"added_load", level.certificate.added_load},
           {"oscillation_energy", level.oscillation_energy},
           {"imbalance", {{"primal", level.primal_imbalance}, {"dual", level.dual_imbalance}}},
           {"seconds",
@@ -80,6 +85,7 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
             {"primal", seconds.primal},
             {"dual", seconds.dual},
             {"estimate", seconds.estimate},
+            {"certify", seconds.certify},
             {"total", seconds.total},
             {"write", around.write},
             {"elapsed", around.elapsed},
@@ -112,6 +118,7 @@ std::string report_json(const Report& report) {
                      {"status", report.running ? "running" : name(outcome.status)},
                      {"reason", outcome.reason},
                      {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
+                     {"plain", plain_json(last)},
                      {"relative_width", relative_width(outcome)},
                      {"relative_error_bound", outcome.relative_error_bound},
                      {"error_bound", std::sqrt(2 * std::max(0.0, outcome.upper - outcome.lower))},
@@ -131,7 +138,7 @@ std::string report_json(const Report& report) {
 std::string history_csv(const Report& report) {
   std::string text =
       "level,cells,primal_dofs,dual_dofs,lower,upper,relative_width,relative_error_bound,contact_rows,contact_active,"
-      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_total,seconds_write,"
+      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_certify,seconds_total,seconds_write,"
       "seconds_elapsed";
   for (const char* formulation : {"primal", "dual"})
     for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
@@ -139,11 +146,12 @@ std::string history_csv(const Report& report) {
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
     text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells, level.primal_dofs,
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells, level.primal_dofs,
                     level.dual_dofs, level.bracket.lower, level.bracket.upper, level.bracket.relative_width,
                     level.bracket.relative_error_bound, level.contact_rows, level.contact_active,
                     level.contact_iterations, level.seconds.mesh, level.seconds.primal, level.seconds.dual,
-                    level.seconds.estimate, level.seconds.total, report.around[i].write, report.around[i].elapsed,
+                    level.seconds.estimate, level.seconds.certify, level.seconds.total, report.around[i].write,
+                    report.around[i].elapsed,
                     fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
   }
   return text;

@@ -40,8 +40,8 @@ struct Check {
   double value;
 };
 
-/// How far the two fields are from being admissible, each by the scene's largest displacement or stress. All at most
-/// `tolerance`, else the bracket is not to be trusted.
+/// How far the two computed fields are from being admissible, each by the scene's largest displacement or stress. Above
+/// `tolerance` the certificate has much to make good, and the bracket becomes wide.
 struct Checks {
   static constexpr double tolerance = 1e-8;
   double penetration = 0;        ///< largest r − g on Γ_K (Bernstein coefficients), misfit of prescribed displacements
@@ -70,20 +70,16 @@ template <int dim>
 Indicator indicator(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                     const dual::Stress<dim>& stress);
 
-struct Bracket {
-  double lower = 0;                    ///< −S(λ_h)
-  double upper = 0;                    ///< L(u_h)
-  double relative_width = 0;           ///< width by the larger of |lower|, |upper|
-  double error_bound = 0;              ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
-  double mean_stress_error_bound = 0;  ///< √(½ width + ½ ∫ p (g − r)) ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}
-  double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
-  double gap_identity = 0;             ///< |sum of indicators − (upper − lower)| by the largest energy
+/// The two energies as the computed fields give them, rounding included.
+struct PlainEnergies {
+  double lower = 0;         ///< −S(λ_h)
+  double upper = 0;         ///< L(u_h)
+  double strain = 0;        ///< ½ A(u_h,u_h)
+  double gap_identity = 0;  ///< |sum of indicators − (upper − lower)| by the largest of the three
 };
-/// The width is the larger of upper − lower and the sum of the indicators, which differ by rounding only. Where
-/// rounding turned the two energies round, `lower` and `upper` are exchanged.
 template <int dim>
-Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                const dual::Stress<dim>& stress, const Indicator& indicator);
+PlainEnergies plain_energies(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                             const dual::Stress<dim>& stress, const Indicator& indicator);
 
 /// Bounds that hold in floating point, whatever the solvers did [HH81 §3]. Displacements are moved into K exactly, edge
 /// loads into exact balance with the data, and both energies are enclosed with every rounding error accounted for.
@@ -100,6 +96,18 @@ struct Certificate {
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                     const dual::Stress<dim>& stress);
+
+/// An interval for L(u), and the errors that it bounds.
+struct Bracket {
+  double lower = 0;
+  double upper = 0;
+  double relative_width = 0;           ///< width by the larger of |lower|, |upper|
+  double error_bound = 0;              ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
+  double mean_stress_error_bound = 0;  ///< √(½ width + ½ ∫ p (g − r)) ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}
+  double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
+};
+/// \param strain_energy ½ A(u_h,u_h)
+Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator);
 
 /// An estimate of what fixing the data edgewise did to the energy, to first order and in absolute value:
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
@@ -126,7 +134,8 @@ struct Seconds {
   double mesh = 0;  ///< reading, meshing and fixing the data; later marking and refining
   double primal = 0;
   double dual = 0;
-  double estimate = 0;
+  double estimate = 0;  ///< indicators and checks
+  double certify = 0;
   double total = 0;  ///< wall clock; the two formulations run side by side
 };
 
@@ -135,7 +144,9 @@ struct Level {
   int cells = 0;
   int primal_dofs = 0;
   int dual_dofs = 0;
-  Bracket bracket;
+  Bracket bracket;  ///< from the certificate; without one, from the plain energies
+  PlainEnergies plain;
+  Certificate certificate;
   Checks checks;
   double oscillation_energy = 0;  ///< of the data, which the first mesh fixes: see oscillation_energy()
   Seconds seconds;
@@ -149,7 +160,7 @@ struct Level {
 /// What a run has found; the fields are those of the last level.
 template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
-  std::string guarantee = "none";  ///< "discretisation" or "none"
+  std::string guarantee = "none";  ///< "rounding-safe" or "none"
   std::string reason;              ///< if there is no guarantee or the budget was spent: one line
   /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are
   /// nested, so the last upper bound is the least; the stress spaces are not.

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "bounds/fields.h"
@@ -9,26 +10,26 @@ using scene::Support;
 using scene::Vector;
 
 template <int dim>
-Bracket bracket(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                const dual::Stress<dim>& stress, const Indicator& indicator) {
+PlainEnergies plain_energies(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                             const dual::Stress<dim>& stress, const Indicator& indicator) {
   const PotentialEnergy potential = potential_energy(problem, displacement);
-  const double lower = -complementary_energy(problem, stress), upper = potential.total;
-  Bracket result;
-  result.lower = lower;
-  result.upper = upper;
-  if (const double size = std::max(std::abs(lower), potential.strain); lower > upper && lower - upper < 1e-12 * size)
-    std::swap(result.lower, result.upper);
-  const double width = std::max(std::abs(upper - lower), indicator.sum);
-  const double scale = std::max(std::abs(lower), std::abs(upper));
-  const double misfit = std::abs(indicator.sum - (upper - lower));
+  PlainEnergies plain{0 - complementary_energy(problem, stress), potential.total, potential.strain, 0};
+  const double misfit = std::abs(indicator.sum - (plain.upper - plain.lower));
+  if (misfit > 0)
+    plain.gap_identity = misfit / std::max({std::abs(plain.lower), std::abs(plain.upper), potential.strain});
+  return plain;
+}
+
+Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator) {
+  const double width = upper - lower;
   double contact = 0;
   for (const double share : indicator.contact) contact += share;
-
-  result.relative_width = width == 0 ? 0 : width / scale;
+  Bracket result{lower, upper};
+  if (width == 0) return result;
+  result.relative_width = width / std::max(std::abs(lower), std::abs(upper));
   result.error_bound = std::sqrt(2 * width);
   result.mean_stress_error_bound = std::sqrt(std::max(0.0, (width + contact) / 2));
-  result.relative_error_bound = width == 0 ? 0 : result.error_bound / std::sqrt(2 * potential.strain);
-  result.gap_identity = misfit == 0 ? 0 : misfit / std::max(scale, potential.strain);
+  result.relative_error_bound = result.error_bound / std::sqrt(2 * strain_energy);
   return result;
 }
 
@@ -114,8 +115,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
   return energy;
 }
 
-template Bracket bracket(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&,
-                         const Indicator&);
+template PlainEnergies plain_energies(const scene::Problem<2>&, const primal::Displacement<2>&,
+                                      const dual::Stress<2>&, const Indicator&);
 template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const primal::Displacement<2>&,
                                    const dual::Stress<2>&);
 

@@ -65,7 +65,7 @@ Certificate certify(const scene::Problem<dim>& problem, const primal::Displaceme
   total.add(energy.total);
   for (const auto& [facet, load] : from_stresses.added)
     total.add(-facet_work(problem.mesh, supports, *field, facet, load));
-  certificate.lower = lower(from_stresses.energy);
+  certificate.lower = lower(from_stresses.energy) + 0.0;  // not −0
   certificate.upper = upper(total.value());
   certificate.strain_energy = std::max(0.0, lower(energy.strain));
   certificate.valid = std::isfinite(certificate.lower) && std::isfinite(certificate.upper);

@@ -36,7 +36,8 @@ inline Real up(Real value) { return value * (1 + 32 * half_ulp) + smallest; }
 
 /// Not less than any value of x.
 inline double upper(const Enclosure& x) {
-  const Real bound = std::nextafter(x.middle + x.radius, std::numeric_limits<Real>::infinity());
+  const Real bound =
+      x.radius == 0 ? x.middle : std::nextafter(x.middle + x.radius, std::numeric_limits<Real>::infinity());
   const auto rounded = static_cast<double>(bound);
   return rounded < bound ? std::nextafter(rounded, std::numeric_limits<double>::infinity()) : rounded;
 }

@@ -75,7 +75,7 @@ struct Candidate {
 };
 
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
-  constexpr double of_data = 1e-6;  // so small that any other reaction comes first
+  constexpr double of_data = 1e-5, of_nothing = 1e-8;  // so small that these come last: see reactions()
   std::vector<Candidate> result;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
@@ -95,17 +95,23 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     for (const double p : loads.along_normal[pair.first]) largest[pair.pair] = std::max(largest[pair.pair], p);
   }
   for (const auto& pair : problem.contact)
-    for (int end = 0; end < 2; ++end)
-      if (const double p = loads.along_normal[pair.first][end]; p > 0)
-        result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second}, p / largest[pair.pair]});
+    for (int end = 0; end < 2; ++end) {
+      const double p = loads.along_normal[pair.first][end];
+      result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second},
+                        p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing});
+    }
   return result;
 }
 
 }  // namespace
 
-std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads) {
+std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads,
+                                const std::vector<Reaction>& barred) {
   const std::vector<Reference> about = references(problem.mesh);
-  const std::vector<Candidate> all = candidates(problem, loads);
+  std::vector<Candidate> all = candidates(problem, loads);
+  std::erase_if(all, [&](const Candidate& candidate) {
+    return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
+  });
   const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -115,7 +121,7 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoa
   if (effects.cols() < n) return {};
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(effects);
   std::vector<Reaction> chosen;
-  for (Eigen::Index k = 0; k < n && std::abs(qr.matrixQR()(k, k)) > 1e-10; ++k)
+  for (Eigen::Index k = 0; k < n && std::abs(qr.matrixQR()(k, k)) > 1e-11; ++k)
     chosen.push_back(all[qr.colsPermutation().indices()[k]].reaction);
   return chosen;
 }

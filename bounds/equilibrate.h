@@ -21,12 +21,14 @@ struct Reaction {
   int facet;
   int which;
   int other = -1;  ///< Γ_K: the second side
+  bool operator==(const Reaction&) const = default;
 };
 
 /// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are large
 /// and may fall, loads on Γ_τ, which would change the data, only where nothing else holds a motion.
-/// \return fewer where no basis was found
-std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads);
+/// \param barred pressures that are not to be taken   \return fewer where no basis was found
+std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads,
+                                const std::vector<Reaction>& barred);
 
 /// The point about which moments of a body are counted, and the size of the body.
 struct Reference {
@@ -169,18 +171,36 @@ bool hold(const scene::Problem<2>& problem, const std::vector<Reference>& refere
   return true;
 }
 
+/// The first of the chosen pressures that would have to be tension; nothing: none.
+template <class Number>
+std::optional<Reaction> in_tension(const Loads<Number>& loads, const std::vector<Reaction>& chosen,
+                                   const scene::Problem<2>& problem) {
+  for (const Reaction& reaction : chosen)
+    if (problem.facets[reaction.facet].support == scene::Support::contact &&
+        !certainly_non_negative(loads.along_normal[reaction.facet][reaction.which]))
+      return reaction;
+  return {};
+}
+
 /// Loads that balance every cell exactly. Reactions hold the bodies as wholes; then each cell, from the leaves of its
 /// body's tree on, hands what it lacks to its parent, through their common edge; the root lacks nothing.
 template <class Number, class Sum>
 Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& given) {
   const auto& mesh = problem.mesh;
   const std::vector<Reference> about = references(mesh);
-  Loads<Number> loads = loads_of<Number>(problem, given);
-  if (!hold<Number, Sum>(problem, about, reactions(problem, given), loads))
-    return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
-  for (const auto& pair : problem.contact)
-    for (const Number& p : loads.along_normal[pair.first])
-      if (!certainly_non_negative(p)) return {{}, "pressure that balances the bodies exactly would have to be tension"};
+  Loads<Number> loads;
+  // A pressure that is rounding itself may be too small to take what is missing: then another has to.
+  constexpr std::size_t most = 20;
+  std::vector<Reaction> barred;
+  while (true) {
+    const std::vector<Reaction> chosen = reactions(problem, given, barred);
+    loads = loads_of<Number>(problem, given);
+    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads))
+      return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
+    const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
+    if (!tension) break;
+    barred.push_back(*tension);
+  }
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again from
   // the loads that carry it, its enclosure would grow from cell to cell.
   std::vector<Resultant<Number>> lacks(mesh.cells.size());

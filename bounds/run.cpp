@@ -70,19 +70,34 @@ template <int dim> Level describe(const Step<dim>& step, const Solved<dim>& solv
   return level;
 }
 
+/// Where nothing is strained λ = 0 is the best stress and, if it is admissible, u = 0 a displacement without rounding.
+template <int dim> void set_at_rest(const scene::Problem<dim>& problem, Solved<dim>& solved) {
+  solved.dual.stress = no_stress(problem.mesh);
+  const auto none = no_displacement(problem.mesh, solved.primal.displacement.degree);
+  const Certificate own = certify(problem, solved.primal.displacement, solved.dual.stress);
+  const Certificate other = certify(problem, none, solved.dual.stress);
+  if (other.valid && !(own.valid && own.upper < other.upper)) solved.primal.displacement = none;
+}
+
 /// Bracket and checks of a solved level. The data were fixed on the first mesh, and so was what that did to the energy.
-/// \param unstrained L(u) is 0: the bracket keeps its zeros, for which the energies computed are but rounding
 template <int dim>
 Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solved<dim>& solved,
-               const Indicator& shares, const std::vector<Level>& earlier, bool unstrained) {
+               const Indicator& shares, const std::vector<Level>& earlier) {
   const auto& problem = step.problem;
+  const auto& displacement = solved.primal.displacement;
+  const auto& stress = solved.dual.stress;
   Level level = describe(step, solved);
-  if (!unstrained) level.bracket = bracket(problem, solved.primal.displacement, solved.dual.stress, shares);
-  level.checks = admissibility(problem, solved.primal.displacement, solved.dual.stress);
-  level.checks.gap_identity = level.bracket.gap_identity;
-  level.oscillation_energy =
-      earlier.empty() ? oscillation_energy(scene, problem, solved.primal.displacement, solved.dual.stress)
-                      : earlier.front().oscillation_energy;
+  const Clock clock;
+  level.certificate = certify(problem, displacement, stress);
+  level.seconds.certify = clock.seconds();
+  level.plain = plain_energies(problem, displacement, stress, shares);
+  const Certificate& sure = level.certificate;
+  level.bracket = sure.valid ? bracket(sure.lower, sure.upper, sure.strain_energy, shares)
+                             : bracket(level.plain.lower, level.plain.upper, level.plain.strain, shares);
+  level.checks = admissibility(problem, displacement, stress);
+  level.checks.gap_identity = level.plain.gap_identity;
+  level.oscillation_energy = earlier.empty() ? oscillation_energy(scene, problem, displacement, stress)
+                                             : earlier.front().oscillation_energy;
   return level;
 }
 
@@ -98,31 +113,32 @@ template <int dim> double rounding(const scene::Problem<dim>& problem, const Bra
 /// What is wrong with a level; empty: nothing.
 template <int dim>
 std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Level& level) {
-  if (!level.checks.passed()) {
+  if (!level.certificate.valid) {
     const auto [name, value] = level.checks.worst();
-    return fmt::format("the fields computed on {} cells fail the check '{}', {:.1e} by the scene's scale where {:g} is "
-                       "allowed; try cells of better shape, or moduli and sizes that differ less",
-                       level.cells, name, value, Checks::tolerance);
+    return fmt::format("no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
+                       "better shape, or moduli and sizes that differ less",
+                       level.cells, level.certificate.reason, name, value);
   }
-  if (level.bracket.lower > level.bracket.upper)
-    return fmt::format("the bounds computed on {} cells cross", level.cells);
-  // Displacements of nested spaces: only a fault can raise the bound by more than rounding.
-  const double upper = level.bracket.upper, slack = rounding(problem, level.bracket);
-  if (upper > earlier.upper + slack)
+  const auto [lower, upper] = std::pair(level.bracket.lower, level.bracket.upper);
+  if (lower > upper) return fmt::format("the bounds computed on {} cells cross: a fault of this program", level.cells);
+  if (const double slack = rounding(problem, level.bracket);
+      upper < earlier.lower - slack || lower > earlier.upper + slack)
+    return fmt::format("the interval on {} cells and those before exclude each other: a fault of this program",
+                       level.cells);
+  // The spaces of displacements are nested: only solvers that went astray can raise the bound.
+  if (upper > earlier.upper + Checks::tolerance * std::max(std::abs(lower), std::abs(upper)))
     return fmt::format("the upper bound rose to {} on {} cells, although the spaces are nested", upper, level.cells);
-  if (upper < earlier.lower - slack)
-    return fmt::format("the upper bound {} on {} cells is below a lower bound of an earlier mesh", upper, level.cells);
   return "";
 }
 
-/// Makes a level the last of the run.
+/// Makes a level the last of the run. Its bracket is intersected with that of the levels before, which were of the same
+/// problem but for the rounding of midpoints.
 template <int dim>
 void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<dim>& solved, Indicator shares) {
   const Bracket& bracket = level.bracket;
-  outcome.lower = std::max(outcome.lower, bracket.lower);
-  outcome.upper = std::min(outcome.upper, bracket.upper);
-  if (outcome.lower > outcome.upper && bracket.lower <= bracket.upper)
-    std::swap(outcome.lower, outcome.upper);  // levels that differ by rounding only: see fault()
+  const double slack = outcome.levels.empty() ? 0 : rounding(step.problem, bracket);
+  outcome.lower = std::max(outcome.lower - slack, bracket.lower);
+  outcome.upper = std::min(outcome.upper + slack, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
   const double width = outcome.upper - outcome.lower, own_width = bracket.upper - bracket.lower;
   if (width < own_width) outcome.relative_error_bound *= std::sqrt(width / own_width);  // an earlier level knew better
@@ -215,13 +231,13 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
       tell("estimate");
       const Clock estimate_clock;
       const bool unstrained = outcome.levels.empty() && is_unstrained(step.problem, solved.primal.displacement);
-      if (unstrained) solved.dual.stress = no_stress(step.problem.mesh);
+      if (unstrained) set_at_rest(step.problem, solved);
       Indicator shares = indicator(step.problem, solved.primal.displacement, solved.dual.stress);
-      Level level = estimate(scene, step, solved, shares, outcome.levels, unstrained);
-      level.seconds.estimate = estimate_clock.seconds();
+      Level level = estimate(scene, step, solved, shares, outcome.levels);
+      level.seconds.estimate = estimate_clock.seconds() - level.seconds.certify;
       level.seconds.total = clock.seconds();
       why = fault(outcome, step.problem, level);
-      if (why.empty()) outcome.guarantee = "discretisation";
+      if (why.empty()) outcome.guarantee = "rounding-safe";
       if (why.empty() || outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
       if (!why.empty()) return ended(std::move(outcome), refine, why, true);
       if (observer.level) observer.level(outcome);

@@ -59,7 +59,16 @@ template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
   return stress;
 }
 
+template <int dim> primal::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree) {
+  const scene::Vector<dim> none = scene::Vector<dim>::Zero();
+  primal::Displacement<dim> displacement{degree, {}, {}};
+  displacement.vertex.assign(mesh.vertices.size(), none);
+  if (degree == 2) displacement.edge.assign(mesh.edges.size(), none);
+  return displacement;
+}
+
 template bool is_unstrained(const scene::Problem<2>&, const primal::Displacement<2>&);
 template dual::Stress<2> no_stress(const scene::Mesh<2>&);
+template primal::Displacement<2> no_displacement(const scene::Mesh<2>&, int);
 
 }  // namespace bracket::bounds

@@ -13,5 +13,7 @@ bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacemen
 
 /// λ = 0
 template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
+/// u = 0
+template <int dim> primal::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree);
 
 }  // namespace bracket::bounds

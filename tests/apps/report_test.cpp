@@ -64,7 +64,7 @@ TEST_F(Report, JsonHasItsFields) {
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["title"], "Two blocks");
   EXPECT_EQ(json["units"], "N, mm, MPa");
-  EXPECT_EQ(json["guarantee"], "discretisation");
+  EXPECT_EQ(json["guarantee"], "rounding-safe");
   EXPECT_EQ(json["status"], "done");
   EXPECT_EQ(json["notes"], Json::array());
   EXPECT_TRUE(json["version"].is_string());

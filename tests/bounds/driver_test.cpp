@@ -31,7 +31,7 @@ TEST(Driver, spends_its_budget_and_keeps_the_bounds) {
   const auto three = run(levels);
   EXPECT_EQ(three.status, Status::budget);
   EXPECT_EQ(three.levels.size(), 3u);
-  EXPECT_EQ(three.guarantee, "discretisation");
+  EXPECT_EQ(three.guarantee, "rounding-safe");
   EXPECT_NE(three.reason.find("max_levels"), std::string::npos) << three.reason;
 
   auto cells = adaptive(1e-6);
@@ -121,7 +121,7 @@ scene::Scene<2> unloaded(double gap) {
   return s;
 }
 
-TEST(Driver, scenes_without_energy_have_an_exact_bracket_and_reach_any_target) {
+TEST(Driver, scenes_without_energy_have_no_width_but_for_rounding_of_what_moves_them) {
   std::vector<scene::Scene<2>> scenes = {unloaded(0), unloaded(0.1), unloaded(-0.1)};
   scenes.push_back(unloaded(0));  // carried away and turned
   scenes.back().boundary["lower.bottom"] = {tests::ConditionKind::fixed,
@@ -145,26 +145,29 @@ TEST(Driver, scenes_without_energy_have_an_exact_bracket_and_reach_any_target) {
         EXPECT_EQ(outcome.levels.size(), 1u) << i;
         EXPECT_EQ(outcome.lower, 0) << i;
         EXPECT_FALSE(std::signbit(outcome.lower)) << i;
-        EXPECT_EQ(outcome.upper, 0) << i;
-        EXPECT_EQ(outcome.relative_error_bound, 0) << i;
+        // Where rest is admissible it has no energy at all; else displacements of up to 0.4 are rounded, on a mesh
+        // width of 1/4: strains of some ten times 8 · 0.4 ε, squared, times the stiffness 1.35 E over the area 2.
+        const double rounded = 32 * std::numeric_limits<double>::epsilon();
+        const bool rest = i == 0 || i == 1 || i == 4;
+        EXPECT_LE(outcome.upper, rest ? 0 : 1.35 * std::max(young, 1.0) * rounded * rounded) << i;
       }
 }
 
 TEST(Driver, small_strains_are_not_taken_for_none) {
   // Stretched along with a displacement 10⁵ or 10¹¹ times as large: σ = E' ε, L = ½ E' ε².
-  for (const double strain : {1e-5, 1e-11}) {
+  for (const double asked : {1e-5, 1e-11}) {
     scene::Scene<2> s;
     s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
     s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
-    s.boundary = {{"b.left", tests::sliding(-1)}, {"b.right", tests::sliding(1 + strain)}};
+    s.boundary = {{"b.left", tests::sliding(-1)}, {"b.right", tests::sliding(1 + asked)}};
     const auto outcome = run(s);
-    const double exact = strain * strain / 2 / (1 - 0.09);
-    EXPECT_EQ(outcome.status, strain == 1e-5 ? Status::done : Status::not_guaranteed) << outcome.reason;
-    EXPECT_NEAR(outcome.lower, exact, 0.1 * exact);  // of 1 + 1e-11 rounding leaves five digits
-    EXPECT_NEAR(outcome.upper, exact, 0.1 * exact);
-    if (outcome.status != Status::done) {
-      EXPECT_NE(outcome.reason.find("check '"), std::string::npos) << outcome.reason;
-    }
+    const double strain = (1 + asked) - 1;  // what rounding leaves of it
+    const double exact = strain * strain / 2 / (1 - 0.09), rounding = 4 * std::numeric_limits<double>::epsilon();
+    EXPECT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+    EXPECT_LE(outcome.lower, exact * (1 + rounding));
+    EXPECT_GE(outcome.upper, exact * (1 - rounding));
+    // Displacements of 1 are rounded to ε, on a mesh width of ¼.
+    EXPECT_LE(outcome.upper - outcome.lower, exact * (1e-10 + std::pow(100 * rounding / strain, 2)));
   }
 }
 
@@ -177,8 +180,10 @@ TEST(Driver, loads_that_rounding_hides_are_not_taken_for_none) {
                 {"b.right", tests::pressure(tests::constant(-1e-15))}};
   s.contact = {{"b.top", "rigid", tests::constant(1), ""}};
   const auto outcome = run(s);
-  EXPECT_EQ(outcome.status, Status::not_guaranteed);
-  EXPECT_TRUE(std::isfinite(outcome.levels[0].checks.boundary_traction));  // of λ = 0 it would not be
+  const double exact = -0.5 * 1e-30 * (1 - 0.09);
+  EXPECT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+  EXPECT_LE(outcome.lower, exact);
+  EXPECT_GE(outcome.upper, exact);
 }
 
 TEST(Driver, a_resultant_through_the_end_of_the_contact_is_not_promised_a_finer_mesh) {

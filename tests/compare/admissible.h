@@ -11,11 +11,11 @@ namespace bracket::tests {
 /// is the width to 1e-10 of it or 1e-14 of the energy.
 inline void expect_admissible(const bounds::Outcome<2>& outcome) {
   ASSERT_FALSE(outcome.levels.empty());
-  EXPECT_EQ(outcome.guarantee, "discretisation") << outcome.reason;
+  EXPECT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
   for (const auto& level : outcome.levels) {
     EXPECT_LE(level.bracket.lower, level.bracket.upper);
     EXPECT_TRUE(level.checks.passed());
-    EXPECT_LE(level.bracket.gap_identity, std::max(1e-10 * level.bracket.relative_width, 1e-14));
+    EXPECT_LE(level.plain.gap_identity, std::max(1e-10 * level.bracket.relative_width, 1e-14));
   }
 }
 

@@ -61,7 +61,7 @@ TEST(Exact, modulus_ratios_from_1e_minus_12_to_1e12) {
     const LinearPressure p{.young_lower = 1, .young_upper = ratio};
     const auto outcome = bounds::run(linear_pressure(p, 6, 4));
     const double exact = exact_energy(p);
-    EXPECT_EQ(outcome.guarantee, "discretisation") << ratio << ": " << outcome.reason;
+    EXPECT_EQ(outcome.guarantee, "rounding-safe") << ratio << ": " << outcome.reason;
     EXPECT_NEAR(outcome.levels[0].bracket.lower, exact, 1e-9 * std::abs(exact)) << ratio;
     EXPECT_NEAR(outcome.levels[0].bracket.upper, exact, 1e-9 * std::abs(exact)) << ratio;
   }
