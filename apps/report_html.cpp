@@ -133,8 +133,8 @@ std::string seconds(const Report& report) {
                     {row("displacements", sum.primal_phases, sum.primal), row("stresses", sum.dual_phases, sum.dual)},
                     1) +
          fmt::format(
-             "<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, "
-             "pictures {:.2f} seconds.</p>\n",
+             "<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, "
+             "write {:.2f}, pictures {:.2f} seconds.</p>\n",
              report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
 }
 

@@ -138,7 +138,8 @@ std::string report_json(const Report& report) {
 std::string history_csv(const Report& report) {
   std::string text =
       "level,cells,primal_dofs,dual_dofs,lower,upper,relative_width,relative_error_bound,contact_rows,contact_active,"
-      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_certify,seconds_total,seconds_write,"
+      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_certify,seconds_total,"
+      "seconds_write,"
       "seconds_elapsed";
   for (const char* formulation : {"primal", "dual"})
     for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
@@ -146,8 +147,8 @@ std::string history_csv(const Report& report) {
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
     text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells, level.primal_dofs,
-                    level.dual_dofs, level.bracket.lower, level.bracket.upper, level.bracket.relative_width,
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
+                    level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper, level.bracket.relative_width,
                     level.bracket.relative_error_bound, level.contact_rows, level.contact_active,
                     level.contact_iterations, level.seconds.mesh, level.seconds.primal, level.seconds.dual,
                     level.seconds.estimate, level.seconds.certify, level.seconds.total, report.around[i].write,

@@ -46,8 +46,8 @@ std::string seconds_table(const Report& report) {
   text += fmt::format("{:>10}\n  displacements {:>10.2f}{:>10.2f}\n  stresses      {:>10.2f}{:>10.2f}\n", "all",
                       fmt::join(sum.primal_phases, ""), sum.primal, fmt::join(sum.dual_phases, ""), sum.dual);
   return text +
-         fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, pictures "
-                     "{:.2f}\n",
+         fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, "
+                     "pictures {:.2f}\n",
                      report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
 }
 

@@ -89,7 +89,8 @@ struct Certificate {
   double lower = 0;          ///< ≤ L(u)
   double upper = 0;          ///< ≥ L(u)
   double strain_energy = 0;  ///< ≤ ½ A(u_h,u_h)
-  /// Rounding of the data along rigid motions that nothing holds, removed from them: largest load added, by the largest.
+  /// Rounding of the data along rigid motions that nothing holds, removed from them: largest load added, by the
+  /// largest.
   double added_load = 0;
 };
 /// \param displacement, stress need not solve anything; the closer they do, the closer the bounds

@@ -43,7 +43,8 @@ Number linear_product(const std::array<Plane<Number>, 2>& a, const std::array<Pl
 /// Twice the area of a cell.
 template <class Number> Number doubled_area(const scene::Mesh<2>& mesh, int cell) {
   const auto& [a, b, c] = mesh.cells[cell];
-  return cross(between<Number>(mesh.vertices[a], mesh.vertices[b]), between<Number>(mesh.vertices[a], mesh.vertices[c]));
+  return cross(between<Number>(mesh.vertices[a], mesh.vertices[b]),
+               between<Number>(mesh.vertices[a], mesh.vertices[c]));
 }
 
 }  // namespace bracket::bounds

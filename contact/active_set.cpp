@@ -65,7 +65,8 @@ std::optional<Held> held(const MatrixXd& left, const VectorXd& right, const Vect
   const MatrixXd q = qr.householderQ() * MatrixXd::Identity(n, k);
   const auto upper = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
   const auto& order = qr.colsPermutation();
-  const VectorXd by_load = upper.transpose().solve(VectorXd(order.transpose() * load)), by_overlap = q.transpose() * right;
+  const VectorXd by_load = upper.transpose().solve(VectorXd(order.transpose() * load));
+  const VectorXd by_overlap = q.transpose() * right;
   result.parts.col(1) = -q * by_overlap;
   result.parts.col(2) = q * by_load;
   result.motion = order * upper.solve(by_load - by_overlap);

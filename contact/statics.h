@@ -13,8 +13,8 @@ struct Motions {
 };
 Motions motions(const Eigen::MatrixXd& rigid);
 
-/// A = Q R with orthonormal Q and upper triangular R, by Gram–Schmidt done twice: where columns have no row in common, the
-/// zeros of A are zeros of Q. \pre linearly independent columns
+/// A = Q R with orthonormal Q and upper triangular R, by Gram–Schmidt done twice: where columns have no row in
+/// common, the zeros of A are zeros of Q. \pre linearly independent columns
 struct Orthonormal {
   Eigen::MatrixXd q, r;
 };
@@ -28,7 +28,8 @@ std::vector<int> pins(const Eigen::MatrixXd& basis, const std::vector<int>& cont
 /// The bodies' equilibrium as wholes: Gᵀp = e, in a basis of those motions that contact resists at all.
 struct Statics {
   bool possible = true;
-  /// Motions that contact resists and that, with the free ones, are all: which of the bodies' bases, stacked (k of k_all).
+  /// Motions that contact resists and that, with the free ones, are all: which of the bodies' bases, stacked (k of
+  /// k_all).
   std::vector<Eigen::Index> resisted;
   Eigen::MatrixXd free;      ///< the motions that it does not resist: orthonormal coefficients of the bases (k_all × …)
   Eigen::MatrixXd rows;      ///< G (m × k): the approach by these motions

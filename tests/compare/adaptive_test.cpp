@@ -94,7 +94,8 @@ template <class Function> double integral(const Function& f) {
 TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it) {
   const double exact = three_halves_energy(1, 0.3);
   auto file = from_file("three_halves");
-  file.blocks[0].cells = {64, 32};  // the tractions, linear on each edge of it, shift the energy by less than the widths
+  // The tractions, linear on each edge of this mesh, shift the energy by less than the widths.
+  file.blocks[0].cells = {64, 32};
   ASSERT_NEAR(file.bodies.begin()->second.compliance(0, 0), 1 - 0.09, 1e-12);
   for (int levels = 1; levels <= 5; ++levels) {
     auto scene = file;

@@ -24,7 +24,8 @@ TEST(Floating, an_unloaded_body_stays_near_what_it_touches) {
       s.boundary = {{"block.left", tests::sliding(0)},
                     {"bar.top", tests::sliding(0)},
                     {"bar.right", tests::pressure(tests::constant(p))}};
-      s.contact = {{"block.bottom", "resting.top", tests::constant(0), ""}, {"bar.left", "block.right", tests::constant(0), ""}};
+      s.contact = {{"block.bottom", "resting.top", tests::constant(0), ""},
+                   {"bar.left", "block.right", tests::constant(0), ""}};
       const auto outcome = run(s);
       EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason << ", ratio " << ratio << ", degree " << degree;
       EXPECT_NEAR(outcome.lower, exact, 1e-12 * -exact) << "ratio " << ratio << ", degree " << degree;
