@@ -29,6 +29,7 @@ void report(benchmark::State& state, const bounds::Level& level) {
   state.counters["primal_s"] = level.seconds.primal;
   state.counters["dual_s"] = level.seconds.dual;
   state.counters["estimate_s"] = level.seconds.estimate;
+  state.counters["certify_s"] = level.seconds.certify;
   state.counters["peak_GB"] = static_cast<double>(usage.ru_maxrss) / (1024 * 1024);
 }
 
