@@ -68,45 +68,57 @@ double step(double missing, const Vector<2>& u) {
   return std::max(1.0625 * missing, 4 * std::numeric_limits<double>::epsilon() * u.norm());
 }
 
+/// Moves one end of a contact facet out of contact. \return whether its supports let it
+bool make_way(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+              const scene::ContactFacet& pair, int end, double missing) {
+  const auto& mesh = problem.mesh;
+  const Vector<2>& d = problem.facets[pair.first].normal;
+  const int first = mesh.boundary[pair.first].vertices[end];
+  const int second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - end];
+  const Vector<2> back = way(supports[first], d);
+  const Vector<2> away = second < 0 ? Vector<2>(Vector<2>::Zero()) : way(supports[second], d);
+  if (back.isZero(0) && away.isZero(0)) return false;
+  // The one that moves less for it.
+  const bool moves_first = away.isZero(0) || (!back.isZero(0) && back.norm() <= away.norm());
+  Vector<2>& u = field.vertex[moves_first ? first : second];
+  u += step(missing, u) * (moves_first ? Vector<2>(-back) : away);
+  return true;
+}
+
+/// The same for the middle: by the bubble, or, in degree 1, by the ends that can.
+bool make_way_between(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+                      const scene::ContactFacet& pair, double missing) {
+  if (field.bubble.empty()) {
+    const bool at_first = make_way(problem, supports, field, pair, 0, missing);
+    return make_way(problem, supports, field, pair, 1, missing) || at_first;
+  }
+  const Vector<2>& d = problem.facets[pair.first].normal;
+  Vector<2>& bubble = field.bubble[problem.mesh.boundary[pair.first].edge];
+  bubble -= step(missing / 2, bubble) * d / d.squaredNorm();
+  return true;
+}
+
 }  // namespace
 
 AdmissibleField admissible_field(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
                                  const std::vector<VertexSupport>& supports) {
   constexpr int most = 100;
   PlainField field = plain(problem, displacement, supports);
-  const auto& mesh = problem.mesh;
   for (int sweep = 0; sweep < most; ++sweep) {
     bool settled = true;
-    for (const auto& pair : problem.contact) {
-      const Vector<2>& d = problem.facets[pair.first].normal;
-      const auto r = penetration<Enclosure>(problem, supports, field, pair);
-      const auto& ends = mesh.boundary[pair.first].vertices;
-      // Degree 1 has no bubble to move in the middle: both ends make way.
-      const double middle = field.bubble.empty() ? excess(r[2]) : 0;
-      for (int i = 0; i < 2; ++i) {
-        const double missing = std::max(excess(r[i]), middle);
+    for (const auto& pair : problem.contact)
+      for (int k = 0; k < 3; ++k) {  // both ends, then the middle
+        const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
         if (std::isnan(missing)) return {{}, "the displacements are not finite"};
         if (missing == 0) continue;
         settled = false;
-        const int first = ends[i], second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
-        const Vector<2> back = way(supports[first], d);
-        const Vector<2> away = second < 0 ? Vector<2>(Vector<2>::Zero()) : way(supports[second], d);
-        if (back.isZero(0) && away.isZero(0))
-          return {{}, fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}",
-                                  mesh.vertices[first][0], mesh.vertices[first][1], missing)};
-        // The one that moves less for it.
-        const bool moves_first = away.isZero(0) || (!back.isZero(0) && back.norm() <= away.norm());
-        Vector<2>& u = field.vertex[moves_first ? first : second];
-        u += step(missing, u) * (moves_first ? Vector<2>(-back) : away);
+        if (k < 2 ? make_way(problem, supports, field, pair, k, missing)
+                  : make_way_between(problem, supports, field, pair, missing))
+          continue;
+        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k % 2]];
+        return {{}, fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
+                                at[1], missing)};
       }
-      if (field.bubble.empty()) continue;
-      const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[2]);
-      if (std::isnan(missing)) return {{}, "the displacements are not finite"};
-      if (missing == 0) continue;
-      settled = false;
-      Vector<2>& bubble = field.bubble[mesh.boundary[pair.first].edge];
-      bubble -= step(missing / 2, bubble) * d / d.squaredNorm();
-    }
     if (settled) return {std::move(field), ""};
   }
   return {{}, "the displacements could not be moved out of contact"};

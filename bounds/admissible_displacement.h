@@ -56,6 +56,19 @@ Number component(const VertexSupport& support, const scene::Vector<2>& displacem
   return dot(plane<Number>(displacement), plane<Number>(d)) + dot(shift<Number>(support, displacement), plane<Number>(d));
 }
 
+/// (u' − u'')·d at a vertex of a contact's first side and that of the second on it (−1: a wall): what moves both alike
+/// leaves it zero to the last bit.
+template <class Number>
+Number approach(const std::vector<VertexSupport>& supports, const PlainField& field, int first, int second,
+                const scene::Vector<2>& d) {
+  const auto along = [&](int vertex) { return component<Number>(supports[vertex], field.vertex[vertex], d); };
+  if (second < 0) return along(first);
+  if (supports[first].slides > 0 || supports[second].slides > 0) return along(first) - along(second);
+  const Plane<Number> moved = shift<Number>(supports[first], field.vertex[first]) -
+                              shift<Number>(supports[second], field.vertex[second]);
+  return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, plane<Number>(d));
+}
+
 /// r − g of one contact facet as Bernstein coefficients: at its vertices 0 and 1 and in the middle. In K all are ≤ 0.
 template <class Number>
 std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
@@ -63,15 +76,16 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
   const auto& mesh = problem.mesh;
   const auto& first = mesh.boundary[pair.first];
   const scene::Vector<2>& d = problem.facets[pair.first].normal;
-  const auto at = [&](int vertex) { return component<Number>(supports[vertex], field.vertex[vertex], d); };
-  std::array<Number, 3> r = {at(first.vertices[0]), at(first.vertices[1]), Number(0)};
+  std::array<Number, 3> r;
+  for (int i = 0; i < 2; ++i) {
+    const int across = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
+    r[i] = approach<Number>(supports, field, first.vertices[i], across, d);
+  }
   Number bubble(0);
-  if (!field.bubble.empty()) bubble += dot(plane<Number>(field.bubble[first.edge]), plane<Number>(d));
-  if (pair.second >= 0) {
-    const auto& second = mesh.boundary[pair.second];
-    r[0] -= at(second.vertices[1]);
-    r[1] -= at(second.vertices[0]);
-    if (!field.bubble.empty()) bubble -= dot(plane<Number>(field.bubble[second.edge]), plane<Number>(d));
+  if (!field.bubble.empty()) {
+    bubble += dot(plane<Number>(field.bubble[first.edge]), plane<Number>(d));
+    if (pair.second >= 0)
+      bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
   }
   const Number two(2), begin(pair.gap[0]), end(pair.gap[1]), middle(pair.gap[2]);
   r[2] = (r[0] + r[1]) / two + two * bubble - (two * middle - (begin + end) / two);

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 
@@ -10,6 +11,18 @@
 namespace bracket::bounds {
 
 namespace {
+
+bool all_finite(const primal::Displacement<2>& displacement) {
+  const auto finite = [](const scene::Vector<2>& u) { return u.allFinite(); };
+  return std::all_of(displacement.vertex.begin(), displacement.vertex.end(), finite) &&
+         std::all_of(displacement.edge.begin(), displacement.edge.end(), finite);
+}
+
+bool all_finite(const dual::Stress<2>& stress) {
+  return std::all_of(stress.cell.begin(), stress.cell.end(), [](const auto& cell) {
+    return std::all_of(cell.begin(), cell.end(), [](const scene::Voigt<2>& s) { return s.allFinite(); });
+  });
+}
 
 /// How much the loads added to the data are of all loads on edges.
 double relative_size(const Loads<Enclosure>& loads) {
@@ -50,6 +63,9 @@ FromStress from_stress(const scene::Problem<2>& problem, const std::vector<Verte
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
                     const dual::Stress<dim>& stress) {
+  // A comparison with what is not a number is false, and might pass for a pressure of zero.
+  if (!all_finite(displacement)) return {.reason = "the displacements are not finite"};
+  if (!all_finite(stress)) return {.reason = "the stresses are not finite"};
   const auto supports = vertex_supports(problem);
   auto stresses = std::async(std::launch::async, [&] { return from_stress(problem, supports, stress); });
   const auto [field, penetrating] = admissible_field(problem, displacement, supports);

@@ -28,8 +28,9 @@ template <class Number> ElasticForm<Number> elastic_form(const scene::Body<2>& b
   if (body.isotropic) {
     const Number young(body.isotropic->young), poisson(body.isotropic->poisson);
     const Number shear = young / (two * (one + poisson));
-    const Number bulk = body.isotropic->plane_stress ? young / (two * (one - poisson))
-                                                     : young / (two * (one + poisson) * (one - two * poisson));
+    const Number bulk = body.isotropic->plane_stress
+                            ? young / (two * (one - poisson))
+                            : young / (two * (one + poisson) * (one - poisson - poisson));  // not 2 ν, which rounds
     // C = [bulk + shear, bulk − shear, 0; ·, bulk + shear, 0; 0, 0, shear]
     const Number sum = bulk + shear;
     return {{sum, two * two * bulk * shear / sum, shear}, {(bulk - shear) / sum, Number(0), Number(0)}};

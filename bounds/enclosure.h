@@ -23,6 +23,7 @@ struct Enclosure {
   Enclosure(Real about, Real within) : middle(about), radius(within) {}
 
   bool is_zero() const { return middle == 0 && radius == 0; }
+  bool is_unit() const { return std::abs(middle) == 1 && radius == 0; }
 };
 
 namespace rounding {
@@ -68,6 +69,8 @@ inline Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + 
 
 inline Enclosure operator*(const Enclosure& x, const Enclosure& y) {
   if (x.is_zero() || y.is_zero()) return {};
+  if (x.is_unit() && y.radius == 0) return x.middle * y.middle;  // along an axis components are exact
+  if (y.is_unit() && x.radius == 0) return x.middle * y.middle;
   const Real product = x.middle * y.middle;
   return {product, rounding::up(std::abs(x.middle) * y.radius + x.radius * (std::abs(y.middle) + y.radius) +
                                 rounding::half_ulp * std::abs(product))};

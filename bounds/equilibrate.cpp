@@ -176,10 +176,10 @@ std::optional<std::vector<Enclosure>> solution(const std::vector<std::vector<Enc
       row = rounding::up(row + magnitude(rest));
       x[i] += Enclosure(inverse(i, j)) * b[j];
     }
+    if (!(row < 0.5) || !std::isfinite(magnitude(x[i]))) return {};  // also what is not a number
     q = std::max(q, row);
     largest = std::max<Real>(largest, magnitude(x[i]));
   }
-  if (!(q < 0.5) || !std::isfinite(largest)) return {};
   const Real more = rounding::up(2 * q * largest);  // 1 / (1 − q) ≤ 2
   if (largest > 0)
     for (Enclosure& value : x) value.radius = rounding::up(value.radius + more);

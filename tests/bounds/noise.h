@@ -1,0 +1,37 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <random>
+
+#include "dual/dual.h"
+#include "primal/primal.h"
+
+/// Fields spoilt on purpose, as no solver would.
+namespace bracket::tests {
+
+/// Adds noise of up to `size` times the largest value to every number; keeps `keep` times the field.
+template <class Values> Values noisy(Values values, double keep, double size, std::mt19937& generator) {
+  double largest = 0;
+  for (const auto& value : values) largest = std::max(largest, value.cwiseAbs().maxCoeff());
+  std::uniform_real_distribution<double> noise(-size * largest, size * largest);
+  for (auto& value : values)
+    for (auto& x : value) x = keep * x + noise(generator);
+  return values;
+}
+
+inline primal::Displacement<2> noisy(primal::Displacement<2> u, double keep, double size, std::mt19937& generator) {
+  u.vertex = noisy(std::move(u.vertex), keep, size, generator);
+  if (u.degree == 2) u.edge = noisy(std::move(u.edge), keep, size, generator);
+  return u;
+}
+
+inline dual::Stress<2> noisy(dual::Stress<2> stress, double keep, double size, std::mt19937& generator) {
+  std::vector<scene::Voigt<2>> values;
+  for (const auto& cell : stress.cell) values.insert(values.end(), cell.begin(), cell.end());
+  values = noisy(std::move(values), keep, size, generator);
+  for (std::size_t c = 0; c < stress.cell.size(); ++c)
+    std::copy_n(values.begin() + 9 * static_cast<std::ptrdiff_t>(c), 9, stress.cell[c].begin());
+  return stress;
+}
+
+}  // namespace bracket::tests
