@@ -10,6 +10,31 @@ namespace bracket::bounds {
 using scene::Support;
 using scene::Vector;
 
+namespace {
+
+/// A pressure below this part of the largest traction on either body is rounding of their stresses. It has to go: on a
+/// body that nothing holds it would be a load, which the data do not have.
+constexpr double noise = 1e-11;
+
+void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
+  const auto& mesh = problem.mesh;
+  std::vector<double> largest(mesh.bodies.size(), 0);  // traction in each body
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const int edge : mesh.cell_edges[c]) {
+      const double length = (mesh.vertices[mesh.edges[edge][1]] - mesh.vertices[mesh.edges[edge][0]]).norm();
+      for (const Vector<2>& load : loads.edge[edge])
+        largest[mesh.cell_body[c]] = std::max(largest[mesh.cell_body[c]], load.norm() / length);
+    }
+  for (const auto& pair : problem.contact) {
+    double traction = largest[mesh.cell_body[mesh.boundary[pair.first].cell]];
+    if (pair.second >= 0) traction = std::max(traction, largest[mesh.cell_body[mesh.boundary[pair.second].cell]]);
+    for (double& p : loads.along_normal[pair.first])
+      if (p <= noise * traction * scene::length(mesh, pair.first)) p = 0;
+  }
+}
+
+}  // namespace
+
 PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress) {
   const auto& mesh = problem.mesh;
   PlainLoads loads;
@@ -48,6 +73,7 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& 
     }
     for (double& p : pressure) p = std::max(0.0, -p);
   }
+  drop_noise(problem, loads);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support != Support::fixed)
       loads.edge[mesh.boundary[f].edge] = {Vector<2>::Zero(), Vector<2>::Zero()};
@@ -72,10 +98,11 @@ namespace {
 struct Candidate {
   Reaction reaction;
   double weight;
+  bool is_open = false;  ///< a pressure of zero, which may rise
 };
 
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
-  constexpr double of_data = 1e-5, of_nothing = 1e-8;  // so small that these come last: see reactions()
+  constexpr double of_nothing = 1e-4, of_data = 1e-8;  // so small that these come last: see reactions()
   std::vector<Candidate> result;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
@@ -98,7 +125,8 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     for (int end = 0; end < 2; ++end) {
       const double p = loads.along_normal[pair.first][end];
       result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second},
-                        p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing});
+                        p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing,
+                        p == 0});
     }
   return result;
 }
@@ -109,9 +137,13 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoa
                                 const std::vector<Reaction>& barred) {
   const std::vector<Reference> about = references(problem.mesh);
   std::vector<Candidate> all = candidates(problem, loads);
-  std::erase_if(all, [&](const Candidate& candidate) {
+  const auto is_barred = [&](const Candidate& candidate) {
     return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
-  });
+  };
+  // Where one pressure of zero would have to be tension, or might, the others are not tried one by one.
+  const bool none_open =
+      std::any_of(all.begin(), all.end(), [&](const Candidate& one) { return one.is_open && is_barred(one); });
+  std::erase_if(all, [&](const Candidate& one) { return is_barred(one) || (none_open && one.is_open); });
   const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -158,31 +190,31 @@ std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Referenc
   return order;
 }
 
-// With R an approximate inverse and ‖1 − R A‖ ≤ q < 1 in the largest row sum,  |x − R b| ≤ q / (1 − q) · max |R b|.
-std::optional<std::vector<Enclosure>> solution(const std::vector<std::vector<Enclosure>>& a,
-                                               const std::vector<Enclosure>& b) {
+// Gaussian elimination: zeros stay zeros, so that what does not act on a body stays zero exactly.
+std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure>> a, std::vector<Enclosure> b) {
   const std::size_t n = b.size();
-  Eigen::MatrixXd middle(n, n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) middle(i, j) = static_cast<double>(a[i][j].middle);
-  const Eigen::MatrixXd inverse = middle.fullPivLu().inverse();
-  Real q = 0, largest = 0;
-  std::vector<Enclosure> x(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    Real row = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      Enclosure rest(i == j ? -1.0 : 0.0);
-      for (std::size_t k = 0; k < n; ++k) rest += Enclosure(inverse(i, k)) * a[k][j];
-      row = rounding::up(row + magnitude(rest));
-      x[i] += Enclosure(inverse(i, j)) * b[j];
+  const auto certain = [](const Enclosure& x) { return std::abs(x.middle) - x.radius; };  // size, whatever the rounding
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i)
+      if (certain(a[i][k]) > certain(a[pivot][k])) pivot = i;
+    if (!(certain(a[pivot][k]) > 0)) return {};
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (a[i][k].is_zero()) continue;
+      const Enclosure factor = a[i][k] / a[k][k];
+      for (std::size_t j = k + 1; j < n; ++j) a[i][j] -= factor * a[k][j];
+      b[i] -= factor * b[k];
     }
-    if (!(row < 0.5) || !std::isfinite(magnitude(x[i]))) return {};  // also what is not a number
-    q = std::max(q, row);
-    largest = std::max<Real>(largest, magnitude(x[i]));
   }
-  const Real more = rounding::up(2 * q * largest);  // 1 / (1 − q) ≤ 2
-  if (largest > 0)
-    for (Enclosure& value : x) value.radius = rounding::up(value.radius + more);
+  std::vector<Enclosure> x(n);
+  for (std::size_t k = n; k-- > 0;) {
+    Enclosure rest = b[k];
+    for (std::size_t j = k + 1; j < n; ++j) rest -= a[k][j] * x[j];
+    x[k] = rest / a[k][k];
+    if (!std::isfinite(magnitude(x[k]))) return {};
+  }
   return x;
 }
 

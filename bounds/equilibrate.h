@@ -24,8 +24,9 @@ struct Reaction {
   bool operator==(const Reaction&) const = default;
 };
 
-/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are large
-/// and may fall, loads on Γ_τ, which would change the data, only where nothing else holds a motion.
+/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are
+/// large and may fall, then those of zero, which may rise; loads on Γ_τ, which would change the data, only where nothing
+/// else holds a motion.
 /// \param barred pressures that are not to be taken   \return fewer where no basis was found
 std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads,
                                 const std::vector<Reaction>& barred);
@@ -47,8 +48,7 @@ struct Branch {
 std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Reference>& references);
 
 /// x with A x = b. \return nothing where A may be singular
-std::optional<std::vector<Enclosure>> solution(const std::vector<std::vector<Enclosure>>& a,
-                                               const std::vector<Enclosure>& b);
+std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure>> a, std::vector<Enclosure> b);
 
 /// The unit of a reaction as a load on its facet.
 template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& problem, const Reaction& reaction) {

@@ -126,7 +126,8 @@ std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& proble
     return fmt::format("the interval on {} cells and those before exclude each other: a fault of this program",
                        level.cells);
   // The spaces of displacements are nested: only solvers that went astray can raise the bound.
-  if (upper > earlier.upper + Checks::tolerance * std::max(std::abs(lower), std::abs(upper)))
+  if (const double size = std::max({std::abs(lower), std::abs(upper), level.certificate.strain_energy});
+      upper > earlier.upper + Checks::tolerance * size)
     return fmt::format("the upper bound rose to {} on {} cells, although the spaces are nested", upper, level.cells);
   return "";
 }

@@ -69,7 +69,8 @@ Eigen::VectorXd slack_rounding(const Interface& problem, const Equality& minimum
 /// \param problem scaled   \param guess rows to start from
 std::optional<Pressure> block_active_set(const Interface& problem, std::vector<char> guess);
 
-/// No set of rows holds a rigid motion by more than rounding: bodies too unlike for the precision of a double.
+/// What the rows do hangs on rounding: none holds a rigid motion by more, they depend on each other within it, or the
+/// working set does not settle. Bodies too unlike for the precision of a double.
 struct HeldByRounding {};
 
 /// Descends from a feasible p, one row at a time; always ends.

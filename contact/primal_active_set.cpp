@@ -3,7 +3,6 @@
 #include "contact/growing_cholesky.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace bracket::contact {
 namespace {
@@ -186,9 +185,9 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
     const Stop stop = first_stop(pressure, flat, falling);
     move(stop.step * flat, rounding);
     leave(stop.row);
-    if (!set.append(entering)) throw std::runtime_error("contact: the rows depend on each other within rounding");
+    if (!set.append(entering)) throw HeldByRounding();
   }
-  throw std::runtime_error("contact: the active set does not settle");
+  throw HeldByRounding();
 }
 
 }  // namespace bracket::contact

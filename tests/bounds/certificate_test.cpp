@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "bounds/bounds.h"
@@ -100,20 +101,15 @@ std::vector<Case> cases() {
                               {"touching_end", touching_end(0.1)},
                               {"touching_at_rest", touching_end(0)},
                               {"nothing_held", tests::smooth(2)}};
-  const std::size_t n = result.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (result[i].name != "nothing_held") {
-      result.push_back(result[i]);
-      result.back().name += "_disturbed";
-      result.back().disturb = 0.05;
-    }
-  for (const std::string name : {"everything", "interference", "lift_off", "patch", "turned_end", "touching_at_rest"})
-    for (std::size_t i = 0; i < n; ++i)
-      if (result[i].name == name) {
-        result.push_back(result[i]);
-        result.back().name += "_inclined";
-        result.back().inclined = true;
-      }
+  const std::vector<Case> plain = result;
+  const auto add = [&](const std::string& name, bool inclined, double disturb) {
+    const auto found = std::find_if(plain.begin(), plain.end(), [&](const Case& c) { return c.name == name; });
+    result.push_back({name + (inclined ? "_inclined" : "_disturbed"), found->scene, inclined, disturb});
+  };
+  for (const char* name : {"everything", "interference", "on_a_wall", "nearly_incompressible", "contrast"})
+    add(name, false, 0.05);
+  for (const char* name : {"everything", "interference", "lift_off", "patch", "turned_end", "touching_at_rest"})
+    add(name, true, 0);
   return result;
 }
 
@@ -196,6 +192,28 @@ TEST(Certificate, contains_the_exact_energies_and_is_narrow) {
     EXPECT_LE(Exact(certificate.strain_energy), strain);
     EXPECT_NEAR(certificate.strain_energy, rounded(strain), 1e-13 * rounded(strain));
   });
+}
+
+TEST(Certificate, nothing_penetrates_however_little) {
+  // Along the wall as nearly as doubles can: some vertices go into it by less than the enclosures can tell from zero.
+  Case c = {"touching_at_rest", touching_end(0), true};
+  c.scene.blocks = {tests::block("block", 0, 1, 0, 1, 16, 1)};
+  const auto problem = problem_of(c);
+  const auto supports = vertex_supports(problem);
+  const Vector<2>& d = problem.facets[problem.contact[0].first].normal;
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> along(-1, 1);
+  for (int trial = 0; trial < 500; ++trial) {
+    primal::Displacement<2> u{1, std::vector<Vector<2>>(problem.mesh.vertices.size()), {}};
+    for (Vector<2>& value : u.vertex) {
+      value[0] = along(generator);
+      value[1] = static_cast<double>(-static_cast<long double>(value[0]) * d[0] / d[1]);
+    }
+    const auto admissible = admissible_field(problem, u, supports);
+    ASSERT_TRUE(admissible.field) << admissible.reason;
+    for (const auto& pair : problem.contact)
+      for (const Exact& r : penetration<Exact>(problem, supports, *admissible.field, pair)) ASSERT_LE(r, Exact(0));
+  }
 }
 
 /// Two bodies and a wall in any direction, their shape, materials, supports, weights and gaps by chance; no tractions,
