@@ -42,6 +42,16 @@ Ending run(const RunOptions& options);
 Ending study(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
              const std::filesystem::path& folder);
 
+/// Drives what makes a scene hard to its limits: units, loads, moduli, Poisson's ratio, slivers, thin bodies, contact
+/// ends, the edge of solvability. Prints a table of the intervals found on the first mesh, and writes extremes.csv,
+/// extremes.json and extremes.svg. What is refused on the way is a row of the table with its status and reason. Ctrl-C
+/// ends it after the solve that it is in.
+/// \param folder for the results; empty: the scene's stem + ".extremes" in the current directory
+/// \return done; budget if it was stopped; not_guaranteed if two intervals of one energy exclude each other
+/// \throw scene::Error as run(), for the scene as it is
+Ending extremes(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
+                const std::filesystem::path& folder);
+
 /// Prints all that is known of a scene short of solving it: data, mesh quality, matching of the contact sides,
 /// solvability.
 /// \throw scene::Error as run()

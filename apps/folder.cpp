@@ -73,4 +73,10 @@ void write_file(const fs::path& folder, const std::string& name, std::string_vie
   if (error) refuse(folder / name, fmt::format("cannot be written: {}", error.message()));
 }
 
+void write_picture(const fs::path& folder, const Picture& picture) {
+  const Drawings drawings = draw({picture}, false);
+  for (const Drawing& drawing : drawings.drawn) write_file(folder, drawing.name + ".svg", drawing.svg);
+  for (const std::string& line : drawings.missing) fmt::print(stderr, "note: {}\n", line);
+}
+
 }  // namespace bracket::apps

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "apps/picture.h"
+
 namespace bracket::apps {
 
 /// `folder`, or where it is empty the scene's stem + `ending` in the current directory.
@@ -20,5 +22,9 @@ void prepare_folder(const std::filesystem::path& folder);
 /// \pre prepare_folder(folder)
 /// \throw scene::Error (input) if it cannot be written
 void write_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
+
+/// Draws a picture and writes it as SVG; where that cannot be, a note on standard error says why.
+/// \throw as write_file()
+void write_picture(const std::filesystem::path& folder, const Picture& picture);
 
 }  // namespace bracket::apps

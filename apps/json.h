@@ -7,6 +7,9 @@
 
 namespace bracket::apps {
 
+/// What every file of results begins with: schema, program, scene.
+nlohmann::ordered_json heading(const scene::Scene<2>& scene);
+
 /// A level as report.json and study.json tell it.
 nlohmann::ordered_json level_json(const bounds::Level& level, const LevelSeconds& around);
 

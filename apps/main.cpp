@@ -59,6 +59,10 @@ Ending perform(int argc, char** argv) {
   add_scene(study);
   add_folder(study, ".study");
 
+  CLI::App* extremes = app.add_subcommand("extremes", "The interval as moduli, cells, units, loads become extreme");
+  add_scene(extremes);
+  add_folder(extremes, ".extremes");
+
   CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
   add_scene(check);
 
@@ -75,10 +79,11 @@ Ending perform(int argc, char** argv) {
   }
   if (run->parsed()) return bracket::apps::run(options);
   if (study->parsed()) return bracket::apps::study(options.scene, options.overrides, options.folder);
+  if (extremes->parsed()) return bracket::apps::extremes(options.scene, options.overrides, options.folder);
   if (check->parsed()) bracket::apps::check(options.scene, options.overrides);
   if (info->parsed()) bracket::apps::info(mesh);
   if (app.get_subcommands().empty())
-    throw Error(Status::input, "expected a command: run, study, check or info (see bracket --help)");
+    throw Error(Status::input, "expected a command: run, study, extremes, check or info (see bracket --help)");
   return {};
 }
 

@@ -62,6 +62,14 @@ Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lowe
 
 }  // namespace
 
+Json heading(const scene::Scene<2>& scene) {
+  return {{"schema", 1},
+          {"generator", "bracket"},
+          {"version", BRACKET_VERSION},
+          {"title", scene.title},
+          {"scene", scene.file}};
+}
+
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
   const bounds::Seconds& seconds = level.seconds;
   Json contact = interface_problem(level.contact_rows, level.contact_active, level.contact_iterations);
@@ -105,32 +113,29 @@ std::string report_json(const Report& report) {
   Json levels = Json::array();
   for (std::size_t i = 0; i < outcome.levels.size(); ++i)
     levels.push_back(level_json(outcome.levels[i], report.around[i]));
-  const Json json = {{"schema", 1},
-                     {"generator", "bracket"},
-                     {"version", BRACKET_VERSION},
-                     {"title", report.scene.title},
-                     {"scene", report.scene.file},
-                     {"units", report.scene.units},
-                     {"plane", report.scene.plane},
-                     {"degree", report.scene.solve.degree},
-                     {"dual", report.scene.solve.dual},
-                     {"guarantee", outcome.guarantee},
-                     {"status", report.running ? "running" : name(outcome.status)},
-                     {"reason", outcome.reason},
-                     {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
-                     {"plain", plain_json(last)},
-                     {"relative_width", relative_width(outcome)},
-                     {"relative_error_bound", outcome.relative_error_bound},
-                     {"error_bound", std::sqrt(2 * std::max(0.0, outcome.upper - outcome.lower))},
-                     {"mean_stress_error_bound", last.bracket.mean_stress_error_bound},
-                     {"oscillation_energy", last.oscillation_energy},
-                     {"levels", levels},
-                     {"checks", checks_json(last.checks, outcome.problem.oscillation)},
-                     {"quality", quality_json(outcome.problem.mesh)},
-                     {"seconds", {{"read", report.read}, {"pictures", report.pictures}}},
-                     {"skipped", outcome.skipped},
-                     {"missing", report.missing},
-                     {"notes", outcome.problem.mesh.notes}};
+  Json json = heading(report.scene);
+  const Json found = {{"units", report.scene.units},
+                      {"plane", report.scene.plane},
+                      {"degree", report.scene.solve.degree},
+                      {"dual", report.scene.solve.dual},
+                      {"guarantee", outcome.guarantee},
+                      {"status", report.running ? "running" : name(outcome.status)},
+                      {"reason", outcome.reason},
+                      {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
+                      {"plain", plain_json(last)},
+                      {"relative_width", relative_width(outcome)},
+                      {"relative_error_bound", outcome.relative_error_bound},
+                      {"error_bound", std::sqrt(2 * std::max(0.0, outcome.upper - outcome.lower))},
+                      {"mean_stress_error_bound", last.bracket.mean_stress_error_bound},
+                      {"oscillation_energy", last.oscillation_energy},
+                      {"levels", levels},
+                      {"checks", checks_json(last.checks, outcome.problem.oscillation)},
+                      {"quality", quality_json(outcome.problem.mesh)},
+                      {"seconds", {{"read", report.read}, {"pictures", report.pictures}}},
+                      {"skipped", outcome.skipped},
+                      {"missing", report.missing},
+                      {"notes", outcome.problem.mesh.notes}};
+  json.update(found);
   // Names come from files that may hold any bytes; what is not UTF-8 is replaced, rather than the report refused.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

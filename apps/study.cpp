@@ -67,11 +67,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   }
   write_tables(folder, scene, all);
   std::cout << study_text(all);
-  if (has_picture(all)) {
-    const Drawings drawings = draw({study_picture(all)}, false);
-    for (const Drawing& drawing : drawings.drawn) write_file(folder, drawing.name + ".svg", drawing.svg);
-    for (const std::string& line : drawings.missing) fmt::print(stderr, "note: {}\n", line);
-  }
+  if (has_picture(all)) write_picture(folder, study_picture(all));
   std::cout << fmt::format("Tables and plot: {}\n", folder.string());
   return ending;
 }

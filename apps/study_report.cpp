@@ -97,8 +97,8 @@ std::string study_json(const scene::Scene<2>& scene, const std::vector<Series>& 
                     {"order", order(series)},
                     {"levels", std::move(levels)}});
   }
-  const Json json = {{"schema", 1},          {"generator", "bracket"}, {"version", BRACKET_VERSION},
-                     {"title", scene.title}, {"scene", scene.file},    {"series", std::move(list)}};
+  Json json = heading(scene);
+  json["series"] = std::move(list);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

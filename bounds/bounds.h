@@ -200,4 +200,9 @@ std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indi
 /// \throw scene::Error for all that the user can mend
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
 
+/// The same from data that are fixed already and may have been changed since: of `scene` only the settings count, and
+/// nothing is known of what fixing the data did (Level::oscillation_energy is 0).
+template <int dim>
+Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer = {});
+
 }  // namespace bracket::bounds

@@ -19,8 +19,9 @@ using scene::Status;
 /// A mesh to be solved on, and what is expected of its contact.
 template <int dim> struct Step {
   scene::Problem<dim> problem;
-  std::vector<char> primal_closed, dual_closed;  ///< empty: unknown
-  double seconds = 0;                            ///< that it took to make
+  std::vector<char> primal_closed = {}, dual_closed = {};  ///< empty: unknown
+  double seconds = 0;    ///< that it took to make
+  bool changed = false;  ///< the data are no more those of the scene
 };
 
 /// Both formulations on one mesh.
@@ -96,8 +97,8 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
                              : bracket(level.plain.lower, level.plain.upper, level.plain.strain, shares);
   level.checks = admissibility(problem, displacement, stress);
   level.checks.gap_identity = level.plain.gap_identity;
-  level.oscillation_energy = earlier.empty() ? oscillation_energy(scene, problem, displacement, stress)
-                                             : earlier.front().oscillation_energy;
+  if (!earlier.empty()) level.oscillation_energy = earlier.front().oscillation_energy;
+  else if (!step.changed) level.oscillation_energy = oscillation_energy(scene, problem, displacement, stress);
   return level;
 }
 
@@ -184,13 +185,7 @@ template <int dim>
 Step<dim> finer(const scene::Problem<dim>& problem, const std::vector<char>& marked, const Solved<dim>& solved) {
   auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
   return {std::move(refined), inherited(solved.primal.closed, contact_parent),
-          inherited(solved.dual.closed, contact_parent), 0};
-}
-
-template <int dim> Step<dim> first_step(const scene::Scene<dim>& scene) {
-  Step<dim> step{scene::fix_data(scene, scene::build_mesh(scene)), {}, {}, 0};
-  check_solvability(step.problem, scene.solve.degree);
-  return step;
+          inherited(solved.dual.closed, contact_parent)};
 }
 
 /// Ends a run that has not reached its target.
@@ -208,18 +203,16 @@ Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std:
   return outcome;
 }
 
-}  // namespace
-
-template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
+/// A run from its first mesh on. \param clock since the run began
+template <int dim>
+Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock clock, const Observer<dim>& observer) {
   const auto tell = [&](const std::string& stage) {
     if (observer.stage) observer.stage(stage);
   };
   const scene::Refine& refine = scene.refine;
-  const Clock run_clock;
-  Clock clock;
+  const Clock run_clock = clock;
   Outcome<dim> outcome;
-  tell("mesh");
-  Step<dim> step = first_step(scene);
+  check_solvability(step.problem, scene.solve.degree);
   outcome.skipped = skipped_stages(scene, step.problem);
   step.seconds = clock.seconds();
 
@@ -267,8 +260,22 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
   }
 }
 
+}  // namespace
+
+template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
+  const Clock clock;
+  if (observer.stage) observer.stage("mesh");
+  return run_from(scene, Step<dim>{.problem = scene::fix_data(scene, scene::build_mesh(scene))}, clock, observer);
+}
+
+template <int dim>
+Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer) {
+  return run_from(scene, Step<dim>{.problem = std::move(problem), .changed = true}, Clock(), observer);
+}
+
 template struct Outcome<2>;
 template struct Observer<2>;
 template Outcome<2> run(const scene::Scene<2>&, const Observer<2>&);
+template Outcome<2> run(const scene::Scene<2>&, scene::Problem<2>, const Observer<2>&);
 
 }  // namespace bracket::bounds

