@@ -112,9 +112,9 @@ template <class Number> Resultant<Number> imbalance(const scene::Problem<2>& pro
   return sum;
 }
 
-/// S of a cell in balance. A body force F is carried by the stress −(F_x ξ, F_y η, 0), ξ, η from the centroid.
+/// The stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the centroid.
 template <class Number>
-Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, Block<Number> block, int cell) {
+BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number> block, int cell) {
   const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
   std::array<std::array<Number, 2>, 3> carried;  // xx, yy at the corners
   const Plane<Number> f = plane<Number>(force);
@@ -132,14 +132,20 @@ Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>&
     }
   }
   BlockStress<Number> stress = stress_of_balanced(block.x, block.load);
+  for (int i = 0; has_force && i < 3; ++i)
+    for (int end = 0; end < 2; ++end)
+      for (int k = 0; k < 2; ++k) stress[i][end][k] += carried[(i + end) % 3][k];
+  return stress;
+}
+
+/// S of a cell in balance.
+template <class Number>
+Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const Block<Number>& block,
+                    int cell) {
   const Number part = doubled_area<Number>(problem.mesh, cell) / Number(3);
   Number sum(0);
-  for (int i = 0; i < 3; ++i) {
-    if (has_force)
-      for (int end = 0; end < 2; ++end)
-        for (int k = 0; k < 2; ++k) stress[i][end][k] += carried[(i + end) % 3][k];
-    sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, stress[i], part);
-  }
+  for (const auto& corners : block_stress(problem, block, cell))
+    sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, corners, part);
   return sum;
 }
 

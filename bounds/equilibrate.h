@@ -182,25 +182,12 @@ std::optional<Reaction> in_tension(const Loads<Number>& loads, const std::vector
   return {};
 }
 
-/// Loads that balance every cell exactly. Reactions hold the bodies as wholes; then each cell, from the leaves of its
-/// body's tree on, hands what it lacks to its parent, through their common edge; the root lacks nothing.
-template <class Number, class Sum>
-Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& given) {
+/// Balances every cell of bodies that are held: each cell, from the leaves of its body's tree on, hands what it lacks to
+/// its parent, through their common edge; the root lacks nothing.
+template <class Number>
+Loads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Reference>& about,
+                        const Loads<Number>& loads) {
   const auto& mesh = problem.mesh;
-  const std::vector<Reference> about = references(mesh);
-  Loads<Number> loads;
-  // A pressure that is rounding itself may be too small to take what is missing: then another has to.
-  constexpr std::size_t most = 20;
-  std::vector<Reaction> barred;
-  while (true) {
-    const std::vector<Reaction> chosen = reactions(problem, given, barred);
-    loads = loads_of<Number>(problem, given);
-    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads))
-      return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
-    const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
-    if (!tension) break;
-    barred.push_back(*tension);
-  }
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again from
   // the loads that carry it, its enclosure would grow from cell to cell.
   std::vector<Resultant<Number>> lacks(mesh.cells.size());
@@ -224,7 +211,27 @@ Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& gi
     const Plane<Number> arm = between<Number>(corner(branch->parent), corner(branch->cell));
     add_to(lacks[branch->parent], {own.force, own.moment + cross(arm, own.force)});
   }
-  return {std::move(result), ""};
+  return result;
+}
+
+/// Loads that balance every cell exactly: reactions hold the bodies as wholes, then cells hand on what they lack.
+template <class Number, class Sum>
+Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& given) {
+  const std::vector<Reference> about = references(problem.mesh);
+  Loads<Number> loads;
+  // A pressure that is rounding itself may be too small to take what is missing: then another has to.
+  constexpr std::size_t most = 20;
+  std::vector<Reaction> barred;
+  while (true) {
+    const std::vector<Reaction> chosen = reactions(problem, given, barred);
+    loads = loads_of<Number>(problem, given);
+    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads))
+      return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
+    const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
+    if (!tension) break;
+    barred.push_back(*tension);
+  }
+  return {handed_on(problem, about, loads), ""};
 }
 
 }  // namespace bracket::bounds

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bounds/bounds.h"
+#include "bounds/particular.h"
 #include "bounds/skipped.h"
 #include "bounds/unstrained.h"
 #include "contact/clock.h"
@@ -34,16 +35,21 @@ template <int dim> struct Solved {
   }
 };
 
+template <int dim> dual::Result<dim> solve_stresses(const Step<dim>& step, const scene::Solve& solve) {
+  if (solve.dual == "uzawa") return dual::uzawa(step.problem, particular_stress(step.problem));
+  return dual::solve(step.problem, step.dual_closed);
+}
+
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
-template <int dim> Solved<dim> solve_both(const Step<dim>& step, int degree) {
+template <int dim> Solved<dim> solve_both(const Step<dim>& step, const scene::Solve& solve) {
   const Clock clock;
   contact::set_blas_threads(1);
   Solved<dim> solved;
   auto stresses = std::async(std::launch::async, [&] {
-    solved.dual = dual::solve(step.problem, step.dual_closed);
+    solved.dual = solve_stresses(step, solve);
     solved.seconds.dual = clock.seconds();
   });
-  solved.primal = primal::solve(step.problem, degree, step.primal_closed);
+  solved.primal = primal::solve(step.problem, solve.degree, step.primal_closed);
   solved.seconds.primal = clock.seconds();
   stresses.get();
   return solved;
@@ -218,7 +224,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
 
   for (int meshes = 1;; ++meshes) {
     tell(fmt::format("displacements and stresses on {} cells", step.problem.mesh.cells.size()));
-    Solved<dim> solved = solve_both(step, scene.solve.degree);
+    Solved<dim> solved = solve_both(step, scene.solve);
     std::string why = unsolved(solved);
     const bool bracketed = why.empty();
     if (bracketed) {

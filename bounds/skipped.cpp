@@ -25,7 +25,7 @@ std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const sc
 
   std::vector<std::string> skipped;
   if (problem.contact.empty()) skipped.push_back("interface problem: no contact");
-  if (std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
+  if (scene.solve.dual == "hybrid" && std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
     skipped.push_back("particular stress field: no body force");
   if (!floating) skipped.push_back("rigid motions: every body is held by its supports");
   if (std::none_of(problem.facets.begin(), problem.facets.end(), is_prescribed))

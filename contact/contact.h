@@ -33,6 +33,7 @@ enum class Outcome {
   solved,
   no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
   contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
+  not_converged,   ///< an iteration in place of solve() came to its limit; solve() itself ends after finitely many steps
   not_definite     ///< in floating point a stiffness is not positive definite beside its rigid motions (`body` says
                    ///< which) or the contact holds a rigid motion by rounding only (`body` is −1)
 };

@@ -175,6 +175,26 @@ Corners stress_at_corners(const BlockElement& block, const ModeVector& amplitude
   return stress;
 }
 
+ModeVector coupling(const Triangle& t, const BlockElement& block, const scene::Elasticity<2>& compliance,
+                    const Corners& stress) {
+  const Plane u = t[1] - t[0], v = t[2] - t[0];
+  const double part_area = (u[0] * v[1] - u[1] * v[0]) / 6;
+  ModeVector result = ModeVector::Zero();
+  for (int m = 0; m < n_modes; ++m) {
+    const Corners mode = stress_at_corners(block, ModeVector::Unit(m));
+    for (int k = 0; k < 3; ++k)
+      for (int a = 0; a < 3; ++a) {
+        std::array<double, 3> strain, of_mode;
+        for (int c = 0; c < 3; ++c) {
+          strain[c] = compliance.row(a) * stress[3 * k + c];
+          of_mode[c] = mode[3 * k + c][a];
+        }
+        result[m] += integrate(strain, of_mode, part_area);
+      }
+  }
+  return result;
+}
+
 Particular particular(const Triangle& t, const BlockElement& block, const scene::Elasticity<2>& compliance,
                       const scene::Vector<2>& force) {
   const Plane centroid = (t[0] + t[1] + t[2]) / 3;
@@ -184,23 +204,8 @@ Particular particular(const Triangle& t, const BlockElement& block, const scene:
       const Plane x = part(t, k)[c] - centroid;
       field.stress[3 * k + c] = {-force[0] * x[0], -force[1] * x[1], 0};
     }
+  field.coupling = coupling(t, block, compliance, field.stress);
   field.loads = edge_loads(t, field.stress);
-
-  const Plane u = t[1] - t[0], v = t[2] - t[0];
-  const double part_area = (u[0] * v[1] - u[1] * v[0]) / 6;
-  for (int m = 0; m < n_modes; ++m) {
-    const Corners mode = stress_at_corners(block, ModeVector::Unit(m));
-    field.coupling[m] = 0;
-    for (int k = 0; k < 3; ++k)
-      for (int a = 0; a < 3; ++a) {
-        std::array<double, 3> strain, stress;
-        for (int c = 0; c < 3; ++c) {
-          strain[c] = compliance.row(a) * field.stress[3 * k + c];
-          stress[c] = mode[3 * k + c][a];
-        }
-        field.coupling[m] += integrate(strain, stress, part_area);
-      }
-  }
   return field;
 }
 

@@ -45,6 +45,10 @@ Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const BlockElement& block
 /// The stress Σ s_k τ_k at the corners.
 Corners stress_at_corners(const BlockElement& block, const ModeVector& amplitudes);
 
+/// ∫ τ_k : C⁻¹ λ over the cell, for a stress λ that is linear on the parts, given at their corners.
+ModeVector coupling(const Triangle& vertices, const BlockElement& block, const scene::Elasticity<2>& compliance,
+                    const Corners& stress);
+
 /// A linear field with div λ̄ = −F on one cell, zero at its centroid [HH81, §3: "simple integration"], and what it adds
 /// to the cell's system.
 struct Particular {

@@ -22,7 +22,7 @@ template <int dim> struct Result {
   int unknowns = 0;          ///< edge displacements that are not prescribed
   int rows = 0;
   int active_rows = 0;
-  int iterations = 0;
+  int iterations = 0;  ///< of the active set, or Uzawa's
   double imbalance = 0;  ///< see contact::Solution
   double assemble = 0;   ///< seconds
   contact::Seconds seconds;
@@ -32,5 +32,12 @@ template <int dim> struct Result {
 /// displacements, linear on each edge, are the multipliers of traction continuity; contact rows are the moments of r.
 /// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
 template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {});
+
+/// The same minimum by Uzawa's iteration on the multipliers of (3.13), (3.14) [HH81, §3], until the stress is known to
+/// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; its outcome is solved or
+/// not_converged, the latter also where no pressure balances the loads.
+/// \param particular λ̄ [HH81, §2]: linear on the parts of each cell, tractions continuous, div λ̄ = −F, λ̄n = P on Γ_τ,
+///     no shear on Γ_0 and Γ_K, one pressure for both sides of Γ_K, which may be a tension (Remark 2.1)
+template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const Stress<dim>& particular);
 
 }  // namespace bracket::dual

@@ -1,9 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <optional>
 
 #include "contact/clock.h"
-#include "dual/block_element.h"
+#include "dual/cells.h"
 #include "dual/dual.h"
 
 namespace bracket::dual {
@@ -13,112 +12,6 @@ namespace {
 using scene::Problem;
 using scene::Support;
 using scene::Vector;
-
-/// The multipliers of one edge: the displacement of its two ends, in the directions of the rows of `frame`. Place
-/// 2 end + direction; the lower vertex is end 0. The frame is (normal, tangent) where a support or the contact needs it.
-struct Edge {
-  Eigen::Matrix2d frame = Eigen::Matrix2d::Identity();
-  std::array<int, 4> unknown = {-1, -1, -1, -1};  ///< number in its body; −1: prescribed
-  std::array<double, 4> prescribed = {0, 0, 0, 0};
-  int node = -1;  ///< number of the edge in its body
-  bool normal_held = false, tangent_held = false;
-};
-
-struct Layout {
-  std::vector<Edge> edges;
-  std::vector<std::vector<int>> body_cells;
-  std::vector<std::vector<int>> body_nodes;  ///< offsets of each edge's unknowns, as contact::Body::nodes
-};
-
-/// Which end of its mesh edge a vertex of a boundary facet is.
-template <int dim> int end_of(const scene::Mesh<dim>& mesh, int edge, int vertex) {
-  return mesh.edges[edge][0] == vertex ? 0 : 1;
-}
-
-template <int dim> void set_boundary(const Problem<dim>& problem, std::vector<Edge>& edges) {
-  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& facet = problem.mesh.boundary[f];
-    const auto& data = problem.facets[f];
-    if (data.support == Support::traction) continue;
-    Edge& edge = edges[facet.edge];
-    edge.normal_held = data.support != Support::contact;
-    edge.tangent_held = data.support == Support::fixed;
-    if (data.support != Support::fixed) {
-      const Vector<dim>& n = data.normal;
-      edge.frame << n[0], n[1], -n[1], n[0];
-    }
-    for (int i = 0; i < 2; ++i) {
-      const int end = end_of(problem.mesh, facet.edge, facet.vertices[i]);
-      if (data.support == Support::fixed)
-        for (int c = 0; c < 2; ++c) edge.prescribed[2 * end + c] = data.displacement[i][c];
-      if (data.support == Support::sliding) edge.prescribed[2 * end] = data.normal_displacement[i];
-    }
-  }
-}
-
-template <int dim> Layout lay_out(const Problem<dim>& problem) {
-  const auto& mesh = problem.mesh;
-  Layout layout;
-  layout.edges.resize(mesh.edges.size());
-  layout.body_cells.resize(mesh.bodies.size());
-  layout.body_nodes.assign(mesh.bodies.size(), {0});
-  set_boundary(problem, layout.edges);
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
-    layout.body_cells[body].push_back(static_cast<int>(c));
-    auto& nodes = layout.body_nodes[body];
-    for (const int e : mesh.cell_edges[c]) {
-      Edge& edge = layout.edges[e];
-      if (edge.node >= 0) continue;
-      edge.node = static_cast<int>(nodes.size()) - 1;
-      int next = nodes.back();
-      for (int end = 0; end < 2; ++end) {
-        if (!edge.normal_held) edge.unknown[2 * end] = next++;
-        if (!edge.tangent_held) edge.unknown[2 * end + 1] = next++;
-      }
-      nodes.push_back(next);
-    }
-  }
-  return layout;
-}
-
-/// A cell's vertices relative to the first of them: far from the origin a centroid would be rounded otherwise.
-template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
-  const auto& v = mesh.cells[cell];
-  return {Vector<dim>::Zero(), mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]};
-}
-
-/// One cell, with its loads in the frames of its edges.
-struct Cell {
-  BlockElement block;
-  std::array<int, n_loads> unknowns;
-  LoadVector prescribed;
-  std::optional<Particular> weight;  ///< only where there is a body force
-};
-
-template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
-  const auto& mesh = problem.mesh;
-  const auto& body = problem.bodies[mesh.cell_body[c]];
-  const Triangle t = corners(mesh, c);
-  Cell cell;
-  cell.block = block_element(t, body.compliance);
-  if (!body.force.isZero(0)) cell.weight = particular(t, cell.block, body.compliance, body.force);
-  for (int e = 0; e < 3; ++e) {
-    const int mesh_edge = mesh.cell_edges[c][e];
-    const Edge& edge = layout.edges[mesh_edge];
-    for (int i = 0; i < 2; ++i) {
-      const int row = 4 * e + 2 * i;
-      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
-      cell.block.loads.middleRows<2>(row) = (edge.frame * cell.block.loads.middleRows<2>(row)).eval();
-      if (cell.weight) cell.weight->loads.segment<2>(row) = (edge.frame * cell.weight->loads.segment<2>(row)).eval();
-      for (int k = 0; k < 2; ++k) {
-        cell.unknowns[row + k] = edge.unknown[place + k];
-        cell.prescribed[row + k] = edge.prescribed[place + k];
-      }
-    }
-  }
-  return cell;
-}
 
 /// The loads of Γ_τ on the edge displacements of each body: ∫ P·μ.
 template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim>& problem, const Layout& layout) {
@@ -142,7 +35,8 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
 
 /// Rows 2 j, 2 j + 1 of contact facet j: ∫ φ_i r over it, for the hat functions of the first facet's vertices 0 and 1.
 /// Both sides count their own outward normal displacement: r = u'·n' + u''·n''.
-template <int dim> void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
+template <int dim>
+void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
   const auto& mesh = problem.mesh;
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
@@ -166,19 +60,9 @@ template <int dim> void set_contact_rows(const Problem<dim>& problem, const Layo
   }
 }
 
-/// ∫ φ_i g over each contact facet.
-template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
-  Eigen::VectorXd moments(2 * problem.contact.size());
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& g = problem.contact[j].gap;
-    const double length = scene::length(problem.mesh, problem.contact[j].first);
-    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length * (g[i] / 6 + g[2] / 3);
-  }
-  return moments;
-}
-
 /// The rigid motions that the supports of a body leave, as edge displacements.
-template <int dim> Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout, int body, int unknowns) {
+template <int dim>
+Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout, int body, int unknowns) {
   const auto& mesh = problem.mesh;
   const auto motions = scene::free_motions(problem, body);
   Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(unknowns, motions.size());
@@ -222,14 +106,6 @@ template <int dim> contact::Body assemble(const Problem<dim>& problem, const Lay
 
 /// The amplitudes s of the modes in each cell.
 using Amplitudes = std::vector<ModeVector>;
-
-/// The cell's share of edge displacements that are unknown; prescribed ones are `otherwise`.
-LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns, const LoadVector& otherwise) {
-  LoadVector edges = otherwise;
-  for (int i = 0; i < n_loads; ++i)
-    if (cell.unknowns[i] >= 0) edges[i] = unknowns[cell.unknowns[i]];
-  return edges;
-}
 
 /// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄)
 ModeVector amplitudes(const Cell& cell, const LoadVector& edges) {
@@ -284,7 +160,8 @@ Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std
 
 template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
   switch (solution.outcome) {
-    case contact::Outcome::solved: return "";
+    case contact::Outcome::solved:
+    case contact::Outcome::not_converged: return "";
     case contact::Outcome::no_equilibrium:
       return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to "
              "the end of a contact line for its edges); refine the mesh there, unless the resultant passes through "

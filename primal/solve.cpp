@@ -153,7 +153,8 @@ Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
 
 template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
   switch (solution.outcome) {
-    case contact::Outcome::solved: return "";
+    case contact::Outcome::solved:
+    case contact::Outcome::not_converged: return "";
     case contact::Outcome::no_equilibrium: return "displacements: no admissible pressure balances the loads";
     case contact::Outcome::contradiction:
       return "displacements: the gaps and the prescribed displacements contradict each other, none is admissible";

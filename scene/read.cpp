@@ -224,12 +224,8 @@ Solve read_solve(const toml::table& entry) {
     solve.degree = integer(*node, "solve.degree", 1);
     if (solve.degree > 2) refuse(*node, fmt::format("solve.degree must be 1 or 2, is {}", solve.degree));
   }
-  if (const toml::node* node = entry.get("dual")) {
+  if (const toml::node* node = entry.get("dual"))
     solve.dual = read_choice(*node, "solve.dual", {"hybrid", "uzawa"});
-    if (solve.dual != "hybrid") {
-      refuse(*node, "solve.dual = \"uzawa\": this version has not got it yet; write solve.dual = \"hybrid\"");
-    }
-  }
   return solve;
 }
 

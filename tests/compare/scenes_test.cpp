@@ -2,17 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/compare/admissible.h"
+#include "tests/compare/scene_files.h"
 
 namespace bracket::tests {
 namespace {
-
-std::vector<std::filesystem::path> scene_files() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(BRACKET_SCENES))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class EveryScene : public testing::TestWithParam<std::filesystem::path> {};
 

@@ -1,0 +1,117 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/cells.h"
+
+namespace bracket::dual {
+
+using scene::Problem;
+using scene::Support;
+using scene::Vector;
+
+template <int dim> int end_of(const scene::Mesh<dim>& mesh, int edge, int vertex) {
+  return mesh.edges[edge][0] == vertex ? 0 : 1;
+}
+
+namespace {
+
+template <int dim> void set_boundary(const Problem<dim>& problem, std::vector<Edge>& edges) {
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& facet = problem.mesh.boundary[f];
+    const auto& data = problem.facets[f];
+    if (data.support == Support::traction) continue;
+    Edge& edge = edges[facet.edge];
+    edge.normal_held = data.support != Support::contact;
+    edge.tangent_held = data.support == Support::fixed;
+    if (data.support != Support::fixed) {
+      const Vector<dim>& n = data.normal;
+      edge.frame << n[0], n[1], -n[1], n[0];
+    }
+    for (int i = 0; i < 2; ++i) {
+      const int end = end_of(problem.mesh, facet.edge, facet.vertices[i]);
+      if (data.support == Support::fixed)
+        for (int c = 0; c < 2; ++c) edge.prescribed[2 * end + c] = data.displacement[i][c];
+      if (data.support == Support::sliding) edge.prescribed[2 * end] = data.normal_displacement[i];
+    }
+  }
+}
+
+}  // namespace
+
+template <int dim> Layout lay_out(const Problem<dim>& problem) {
+  const auto& mesh = problem.mesh;
+  Layout layout;
+  layout.edges.resize(mesh.edges.size());
+  layout.body_cells.resize(mesh.bodies.size());
+  layout.body_nodes.assign(mesh.bodies.size(), {0});
+  set_boundary(problem, layout.edges);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int body = mesh.cell_body[c];
+    layout.body_cells[body].push_back(static_cast<int>(c));
+    auto& nodes = layout.body_nodes[body];
+    for (const int e : mesh.cell_edges[c]) {
+      Edge& edge = layout.edges[e];
+      if (edge.node >= 0) continue;
+      edge.node = static_cast<int>(nodes.size()) - 1;
+      int next = nodes.back();
+      for (int end = 0; end < 2; ++end) {
+        if (!edge.normal_held) edge.unknown[2 * end] = next++;
+        if (!edge.tangent_held) edge.unknown[2 * end + 1] = next++;
+      }
+      nodes.push_back(next);
+    }
+  }
+  return layout;
+}
+
+template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
+  const auto& v = mesh.cells[cell];
+  return {Vector<dim>::Zero(), mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]};
+}
+
+template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
+  const auto& mesh = problem.mesh;
+  const auto& body = problem.bodies[mesh.cell_body[c]];
+  const Triangle t = corners(mesh, c);
+  Cell cell;
+  cell.block = block_element(t, body.compliance);
+  if (!body.force.isZero(0)) cell.weight = particular(t, cell.block, body.compliance, body.force);
+  for (int e = 0; e < 3; ++e) {
+    const int mesh_edge = mesh.cell_edges[c][e];
+    const Edge& edge = layout.edges[mesh_edge];
+    for (int i = 0; i < 2; ++i) {
+      const int row = 4 * e + 2 * i;
+      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
+      cell.block.loads.middleRows<2>(row) = (edge.frame * cell.block.loads.middleRows<2>(row)).eval();
+      if (cell.weight) cell.weight->loads.segment<2>(row) = (edge.frame * cell.weight->loads.segment<2>(row)).eval();
+      for (int k = 0; k < 2; ++k) {
+        cell.unknowns[row + k] = edge.unknown[place + k];
+        cell.prescribed[row + k] = edge.prescribed[place + k];
+      }
+    }
+  }
+  return cell;
+}
+
+LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns, const LoadVector& otherwise) {
+  LoadVector edges = otherwise;
+  for (int i = 0; i < n_loads; ++i)
+    if (cell.unknowns[i] >= 0) edges[i] = unknowns[cell.unknowns[i]];
+  return edges;
+}
+
+template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
+  Eigen::VectorXd moments(2 * problem.contact.size());
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& g = problem.contact[j].gap;
+    const double length = scene::length(problem.mesh, problem.contact[j].first);
+    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length * (g[i] / 6 + g[2] / 3);
+  }
+  return moments;
+}
+
+template int end_of(const scene::Mesh<2>&, int, int);
+template Layout lay_out(const Problem<2>&);
+template Triangle corners(const scene::Mesh<2>&, int);
+template Cell make_cell(const Problem<2>&, const Layout&, int);
+template Eigen::VectorXd gap_moments(const Problem<2>&);
+
+}  // namespace bracket::dual

@@ -1,0 +1,123 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/uzawa.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/clock.h"
+
+namespace bracket::dual {
+
+namespace {
+
+constexpr double tolerance = 1e-9;  // of the stress, by its own size
+constexpr int most_iterations = 1000000;
+constexpr int interval = 50;  // of iterations between stopping tests
+
+double norm(const Parameters& parameters) {
+  double sum = 0;
+  for (const ModeVector& s : parameters) sum += s.squaredNorm();
+  return std::sqrt(sum);
+}
+
+double distance(const Parameters& a, const Parameters& b) {
+  double sum = 0;
+  for (std::size_t c = 0; c < a.size(); ++c) sum += (a[c] - b[c]).squaredNorm();
+  return std::sqrt(sum);
+}
+
+/// The size of the stress λ̄ + τ, as far as block elements see it.
+double stress_size(const UzawaSystem& system, Parameters parameters) {
+  for (std::size_t c = 0; c < parameters.size(); ++c) parameters[c] += system.cells[c].linear;
+  return norm(parameters);
+}
+
+/// The iteration converges by a factor q < 1 a step in the end: what is left of the way is the last change times
+/// q / (1 − q). \param change in one step   \param before the same, `interval` steps ago
+double error_estimate(double change, double before) {
+  if (change == 0) return 0;
+  const double q = std::pow(change / before, 1.0 / interval);
+  return q < 1 ? change * q / (1 - q) : std::numeric_limits<double>::infinity();
+}
+
+struct Iterated {
+  Eigen::VectorXd multipliers;
+  Parameters parameters;
+  int iterations = 0;
+  double error = std::numeric_limits<double>::infinity();  ///< estimated, by the size of the stress
+};
+
+/// Iterates until the stress is known, and the constraints met, to `tolerance` or as well as rounding lets it. Where no
+/// stress meets them the parameters converge and the multipliers do not.
+Iterated iterate(const UzawaSystem& system) {
+  const double step = uzawa_step(system);
+  Iterated state;
+  state.multipliers = Eigen::VectorXd::Zero(system.scale.size());
+  state.parameters = parameters(system, state.multipliers);
+  const double rounding = 1e-14 * norm(state.parameters);
+  double before = 0;  // none: no estimate yet
+  while (state.error > tolerance && state.iterations < most_iterations) {
+    const Eigen::VectorXd next = next_multipliers(system, state.multipliers, state.parameters, step);
+    const Eigen::VectorXd last = std::exchange(state.multipliers, next);
+    const Parameters old = std::exchange(state.parameters, parameters(system, next));
+    ++state.iterations;
+    if (state.iterations % interval != 0) continue;
+    const double change = distance(state.parameters, old), violation = (next - last).norm() / step;
+    const double error = std::max(error_estimate(change, before), violation);
+    state.error = error > rounding ? error / stress_size(system, state.parameters) : 0;
+    before = change;
+  }
+  return state;
+}
+
+template <int dim>
+Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, Stress<dim> stress,
+                    const Parameters& parameters) {
+  for (std::size_t c = 0; c < parameters.size(); ++c) {
+    const BlockElement block = make_cell(problem, layout, static_cast<int>(c)).block;
+    const ModeVector amplitudes = block.compliance.llt().matrixU().solve(parameters[c]);
+    const Corners own = stress_at_corners(block, amplitudes);
+    for (int i = 0; i < 9; ++i) stress.cell[c][i] += own[i];
+  }
+  return stress;
+}
+
+}  // namespace
+
+template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const Stress<dim>& particular) {
+  const Clock assembling;
+  Result<dim> result;
+  const UzawaSystem system = uzawa_system(problem, particular);
+  result.assemble = assembling.seconds();
+  const Clock iterating;
+  const Iterated state = iterate(system);
+  result.seconds.contact = iterating.seconds();
+  result.unknowns = static_cast<int>(system.scale.size());
+  result.rows = static_cast<int>(system.openings.size());
+  result.iterations = state.iterations;
+  result.closed.assign(problem.contact.size(), 0);
+  for (int i = 0; i < result.rows; ++i)
+    if (state.multipliers[system.openings[i].first] == 0) {
+      result.closed[i / 2] = 1;
+      ++result.active_rows;
+    }
+  if (state.error > tolerance) {
+    result.outcome = contact::Outcome::not_converged;
+    result.reason = fmt::format("stresses: after {} iterations of Uzawa's method the estimated error is {:.1g} of the "
+                                "stress, not {:g}; write solve.dual = \"hybrid\", or take a coarser mesh",
+                                most_iterations, state.error, tolerance);
+    return result;
+  }
+  const Clock recovering;
+  result.stress = recover(problem, lay_out(problem), particular, state.parameters);
+  result.seconds.recover = recovering.seconds();
+  return result;
+}
+
+template Result<2> uzawa(const scene::Problem<2>&, const Stress<2>&);
+
+}  // namespace bracket::dual

@@ -1,0 +1,162 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "bounds/bounds.h"
+#include "tests/compare/scene_files.h"
+
+/// The contact as displacements and stresses see it, on every scene.
+namespace bracket::tests {
+namespace {
+
+using scene::Support;
+using scene::Vector;
+
+/// A continuous field, linear on cells: the values at the vertices. Bodies share no vertices.
+using TestField = std::vector<Vector<2>>;
+
+/// `direction` at the vertices of one contact pair's first side, zero at all others.
+TestField on_contact(const scene::Problem<2>& problem, int pair, const Vector<2>& direction) {
+  TestField field(problem.mesh.vertices.size(), Vector<2>::Zero());
+  for (const auto& facet : problem.contact)
+    if (facet.pair == pair)
+      for (const int v : problem.mesh.boundary[facet.first].vertices) field[v] = direction;
+  return field;
+}
+
+scene::Voigt<2> strain(const scene::Mesh<2>& mesh, const TestField& field, int cell) {
+  const auto& v = mesh.cells[cell];
+  Eigen::Matrix2d sides, differences;
+  sides << mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]];
+  differences << field[v[1]] - field[v[0]], field[v[2]] - field[v[0]];
+  const Eigen::Matrix2d gradient = differences * sides.inverse();
+  return {gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0)};
+}
+
+/// ∫ T·v over a facet, T given at its ends.
+double facet_work(const scene::Mesh<2>& mesh, int facet, const std::array<Vector<2>, 2>& traction,
+                  const TestField& field) {
+  const auto& [a, b] = mesh.boundary[facet].vertices;
+  return scene::length(mesh, facet) / 6 *
+         ((2 * traction[0] + traction[1]).dot(field[a]) + (traction[0] + 2 * traction[1]).dot(field[b]));
+}
+
+/// ℓ(v)
+double load_work(const scene::Problem<2>& problem, const TestField& field) {
+  const auto& mesh = problem.mesh;
+  double work = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const int v : mesh.cells[c])
+      work += scene::volume(mesh, static_cast<int>(c)) / 3 * problem.bodies[mesh.cell_body[c]].force.dot(field[v]);
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == Support::traction)
+      work += facet_work(mesh, static_cast<int>(f), problem.facets[f].traction, field);
+  return work;
+}
+
+/// The work of contact and supports by the stresses: ∫ λn·v over them.
+double reaction_of_stresses(const bounds::Outcome<2>& outcome, const TestField& field) {
+  const auto& problem = outcome.problem;
+  double work = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support == Support::traction) continue;
+    const auto& facet = problem.mesh.boundary[f];
+    const Vector<2> n = scene::normal(problem.mesh, static_cast<int>(f));
+    std::array<Vector<2>, 2> traction;
+    for (int i = 0; i < 2; ++i) {
+      const auto& s = outcome.stress.cell[facet.cell][3 * facet.local + i];
+      traction[i] = {s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]};
+    }
+    work += facet_work(problem.mesh, static_cast<int>(f), traction, field);
+  }
+  return work;
+}
+
+/// The same by the displacements, A(u_h, v) − ℓ(v), and ‖v‖_A.
+struct Reaction {
+  double work = 0;
+  double norm = 0;
+};
+Reaction reaction_of_displacements(const bounds::Outcome<2>& outcome, const TestField& field) {
+  const auto& problem = outcome.problem;
+  Reaction result{-load_work(problem, field), 0};
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    const scene::Voigt<2> e = strain(problem.mesh, field, cell);
+    const double area = scene::volume(problem.mesh, cell);
+    for (const auto& s : bounds::displacement_stress(problem, outcome.displacement, cell))
+      result.work += area / 3 * s.dot(e);
+    result.norm += area * e.dot(problem.bodies[problem.mesh.cell_body[c]].stiffness * e);
+  }
+  result.norm = std::sqrt(result.norm);
+  return result;
+}
+
+class Compared : public testing::TestWithParam<std::filesystem::path> {
+ protected:
+  bounds::Outcome<2> run(int levels) const {
+    return bounds::run(scene::read_scene<2>(
+        GetParam(), {"refine.strategy=uniform", "refine.target=0", "refine.max_levels=" + std::to_string(levels)}));
+  }
+};
+
+TEST_P(Compared, contact_forces_differ_by_no_more_than_the_stresses) {
+  // |∫ (σ(u_h) − λ_h) : ε(v)| ≤ ‖σ(u_h) − λ_h‖ ‖v‖_A, and the first factor is known cell by cell.
+  const auto outcome = run(1);
+  const double stress_difference =
+      std::sqrt(2 * std::accumulate(outcome.indicator.cell.begin(), outcome.indicator.cell.end(), 0.0));
+  const double size = std::sqrt(2 * outcome.levels[0].plain.strain);
+  int pairs = 0;
+  for (const auto& facet : outcome.problem.contact) pairs = std::max(pairs, facet.pair + 1);
+  for (int pair = 0; pair < pairs; ++pair)
+    for (const Vector<2>& direction : {Vector<2>(1, 0), Vector<2>(0, 1)}) {
+      const TestField field = on_contact(outcome.problem, pair, direction);
+      const auto [work, norm] = reaction_of_displacements(outcome, field);
+      EXPECT_LE(std::abs(work - reaction_of_stresses(outcome, field)), (stress_difference + 1e-10 * size) * norm)
+          << "pair " << pair;
+    }
+}
+
+TEST_P(Compared, contact_alone_balances_the_loads_of_floating_bodies) {  // (2.1)
+  const auto outcome = run(1);
+  const auto& problem = outcome.problem;
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    for (const auto& motion : scene::free_motions(problem, static_cast<int>(b))) {
+      TestField field(problem.mesh.vertices.size(), Vector<2>::Zero());
+      for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+        if (problem.mesh.cell_body[c] == static_cast<int>(b))
+          for (const int v : problem.mesh.cells[c]) field[v] = scene::displacement(motion, problem.mesh.vertices[v]);
+      double size = 0;
+      for (std::size_t f = 0; f < problem.facets.size(); ++f)
+        for (const auto& s : outcome.stress.cell[problem.mesh.boundary[f].cell])
+          size = std::max(size, s.cwiseAbs().maxCoeff() * problem.length_scale);
+      EXPECT_NEAR(reaction_of_stresses(outcome, field), -load_work(problem, field), 1e-10 * size)
+          << problem.mesh.bodies[b] << ": " << scene::describe(motion);
+    }
+}
+
+TEST_P(Compared, contact_zones_overlap) {
+  // Most of the force by the stresses passes where the displacements leave no gap; the zones differ near their ends.
+  const auto outcome = run(2);
+  const auto states = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress);
+  if (states.empty()) GTEST_SKIP() << "no contact";
+  double largest = 0;
+  for (const auto& u : outcome.displacement.vertex) largest = std::max(largest, u.norm());
+  double all = 0, closed = 0;
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const auto& [pressure, gap] = states[j];
+    const double force =
+        scene::length(outcome.problem.mesh, outcome.problem.contact[j].first) * (pressure[0] + pressure[1]) / 2;
+    all += force;
+    if (std::max({gap[0], gap[1], gap[2]}) < 1e-8 * largest) closed += force;
+  }
+  EXPECT_GT(closed, all / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Compared, testing::ValuesIn(scene_files()),
+                         [](const auto& file) { return file.param.stem().string(); });
+
+}  // namespace
+}  // namespace bracket::tests

@@ -1,0 +1,144 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/uzawa.h"
+
+#include <gtest/gtest.h>
+
+#include "bounds/bounds.h"
+#include "bounds/particular.h"
+#include "tests/compare/stress_norm.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::tests {
+namespace {
+
+struct Case {
+  std::string name;
+  scene::Problem<2> problem;
+};
+
+Case from_file(const std::string& name) {
+  const auto folder = std::filesystem::path(BRACKET_SCENES);
+  return {name, problem(scene::read_scene<2>(folder / (name + ".toml")))};
+}
+
+/// Supports and loads of all kinds, floating bodies, walls, inclined contact, weight, unlike moduli.
+std::vector<Case> cases() {
+  scene::Scene<2> raised = two_blocks(2, 0.02);
+  raised.contact[0].gap = [](const Vector<2>& x) { return 0.01 * x[0]; };
+  LinearPressure unlike;
+  unlike.young_upper = 20;
+  return {{"patch", problem(patch(1e6, 0.3, 0.01, 3))},
+          {"linear pressure", problem(linear_pressure({.c = 0.9}, 4, 2))},
+          {"unlike moduli", problem(linear_pressure(unlike, 2, 1))},
+          {"lift-off", problem(two_blocks(3))},
+          {"gap", problem(raised)},
+          from_file("gravity"),
+          from_file("example_1"),
+          from_file("example_2"),
+          from_file("example_3")};
+}
+
+TEST(Uzawa, particular_stress_balances_the_data) {
+  for (const auto& [name, problem] : cases()) {
+    const auto stress = bounds::particular_stress(problem);
+    const primal::Displacement<2> rest{1, std::vector<Vector<2>>(problem.mesh.vertices.size(), Vector<2>::Zero()), {}};
+    const auto checks = bounds::admissibility(problem, rest, stress);
+    EXPECT_LT(checks.equilibrium, 1e-11) << name;
+    EXPECT_LT(checks.interface_jump, 1e-11) << name;
+    EXPECT_LT(checks.boundary_traction, 1e-11) << name;
+  }
+}
+
+TEST(Uzawa, finds_the_stress_of_the_hybrid_method) {
+  // Its iteration ends where the estimated error is 1e-9 of the stress; the estimate is given a factor of ten.
+  for (const auto& [name, problem] : cases()) {
+    const auto hybrid = dual::solve(problem);
+    const auto uzawa = dual::uzawa(problem, bounds::particular_stress(problem));
+    ASSERT_EQ(uzawa.outcome, contact::Outcome::solved) << name << ": " << uzawa.reason;
+    EXPECT_EQ(uzawa.unknowns, hybrid.unknowns) << name;
+    EXPECT_GT(uzawa.iterations, hybrid.iterations) << name;
+    EXPECT_LE(stress_distance(problem, uzawa.stress, hybrid.stress),
+              1e-8 * stress_distance(problem, hybrid.stress, no_stress(problem)))
+        << name << ", " << uzawa.iterations << " iterations";
+    // λ_h is the minimum of S: no other stress, made admissible, bounds better.
+    const auto displacement = primal::solve(problem, 2).displacement;
+    const auto best = bounds::certify(problem, displacement, hybrid.stress);
+    const auto ours = bounds::certify(problem, displacement, uzawa.stress);
+    ASSERT_TRUE(ours.valid) << name << ": " << ours.reason;
+    const double slack = 1e-12 * std::max(std::abs(best.lower), std::abs(best.upper));
+    EXPECT_LE(ours.lower, best.lower + slack) << name;
+    EXPECT_GE(ours.lower, best.lower - 1e-7 * std::max(std::abs(best.lower), std::abs(best.upper))) << name;
+    EXPECT_EQ(ours.upper, best.upper) << name;
+  }
+}
+
+TEST(Uzawa, constraints_are_scaled_and_the_step_lies_below_two_by_the_largest_eigenvalue) {
+  for (const auto& [name, problem] : cases()) {
+    const auto system = dual::uzawa_system(problem, no_stress(problem));
+    const auto n = system.scale.size();
+    if (n > 300) continue;  // dense
+    // One step from z, of size 1, with an opening so large that no projection acts, is affine in z: z + G − B A⁻¹ Bᵀ z.
+    const auto step_from = [&](Eigen::VectorXd z) {
+      for (const auto& o : system.openings) z[o.first] += 1e3;
+      return Eigen::VectorXd(dual::next_multipliers(system, z, dual::parameters(system, z), 1) - z);
+    };
+    const Eigen::VectorXd origin = step_from(Eigen::VectorXd::Zero(n));
+    Eigen::MatrixXd matrix(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) matrix.col(i) = origin - step_from(Eigen::VectorXd::Unit(n, i));
+    const double rounding = 1e-12 * (1e3 + origin.cwiseAbs().maxCoeff());
+    EXPECT_LT((matrix - matrix.transpose()).cwiseAbs().maxCoeff(), rounding) << name;
+    EXPECT_LT((matrix.diagonal().array() - 1).abs().maxCoeff(), rounding) << name;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, Eigen::EigenvaluesOnly);
+    const double product = dual::uzawa_step(system) * eigen.eigenvalues()[n - 1];
+    EXPECT_GE(product, 1.8 - 1e-9) << name;  // Rayleigh quotients are below the largest eigenvalue
+    EXPECT_LT(product, 2) << name;
+  }
+}
+
+TEST(Uzawa, changes_never_grow) {  // a projected gradient step below 2 / λ does not expand distances
+  for (const auto& [name, problem] : cases()) {
+    const auto system = dual::uzawa_system(problem, bounds::particular_stress(problem));
+    const double step = dual::uzawa_step(system);
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(system.scale.size());
+    double first = 0, last = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 300; ++i) {
+      const Eigen::VectorXd next = dual::next_multipliers(system, z, dual::parameters(system, z), step);
+      const double change = (next - z).norm();
+      if (i == 0) first = change;
+      ASSERT_LE(change, last + 1e-12 * first) << name << ", step " << i;
+      last = change;
+      z = next;
+    }
+    EXPECT_LT(last, first) << name;
+    for (const auto& o : system.openings) EXPECT_GE(z[o.first], 0) << name;
+  }
+}
+
+TEST(Uzawa, ends_with_a_reason_where_no_pressure_of_the_mesh_balances_the_loads) {
+  // Forces at the ends of the single contact edge could hold this load, at 1/6 of its length from the end; a linear
+  // pressure p ≥ 0 reaches from 1/3 to 2/3 only.
+  scene::Scene<2> s;
+  s.blocks = {block("b", 0, 1, 0, 1, 1, 1)};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  s.boundary = {{"b.top", traction(constant(0), [](const Vector<2>& x) { return x[0] - 2.0 / 3; })}};
+  s.contact = {{"b.bottom", "rigid", constant(0), ""}};
+  s.solve.dual = "uzawa";
+  const auto outcome = bounds::run(s);
+  EXPECT_EQ(outcome.status, scene::Status::not_guaranteed);
+  EXPECT_NE(outcome.reason.find("iterations of Uzawa's method"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("\"hybrid\""), std::string::npos) << outcome.reason;
+}
+
+TEST(Uzawa, a_run_gives_the_same_interval) {
+  scene::Scene<2> s = two_blocks(2);
+  const auto hybrid = bounds::run(s);
+  s.solve.dual = "uzawa";
+  const auto uzawa = bounds::run(s);
+  EXPECT_EQ(uzawa.guarantee, "rounding-safe") << uzawa.reason;
+  EXPECT_TRUE(uzawa.levels.at(0).checks.passed());
+  EXPECT_EQ(uzawa.upper, hybrid.upper);
+  EXPECT_NEAR(uzawa.lower, hybrid.lower, 1e-7 * std::abs(hybrid.lower));
+}
+
+}  // namespace
+}  // namespace bracket::tests
