@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <future>
+
 #include "bounds/admissible_displacement.h"
 #include "bounds/block_stress.h"
 #include "dual/dual.h"
@@ -155,11 +157,17 @@ Number stress_energy(const scene::Problem<2>& problem, const std::vector<VertexS
                      const Loads<Number>& loads) {
   const auto& mesh = problem.mesh;
   const auto forms = elastic_forms<Number>(problem);
+  const auto of_cells = [&](int begin, int end) {
+    Sum sum;
+    for (int cell = begin; cell < end; ++cell)
+      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], block(mesh, loads, cell), cell));
+    return sum.value();
+  };
+  const int cells = static_cast<int>(mesh.cells.size());
+  auto first_half = std::async(std::launch::async, of_cells, 0, cells / 2);
   Sum energy;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int cell = static_cast<int>(c);
-    energy.add(block_energy(problem, forms[mesh.cell_body[c]], block(mesh, loads, cell), cell));
-  }
+  energy.add(of_cells(cells / 2, cells));
+  energy.add(first_half.get());
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     const auto& facet = mesh.boundary[f];
