@@ -52,6 +52,12 @@ Ending study(const std::filesystem::path& scene, const std::vector<std::string>&
 Ending extremes(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
                 const std::filesystem::path& folder);
 
+/// Prints what Haslinger & Hlaváček 1981 state beside what is measured, a table for each theorem, and writes paper.json
+/// and paper.svg.
+/// \param folder for the results; empty: "bracket.paper" in the current directory
+/// \throw scene::Error (input) where the folder is refused or cannot be written
+void paper(const std::filesystem::path& folder);
+
 /// Prints all that is known of a scene short of solving it: data, mesh quality, matching of the contact sides,
 /// solvability.
 /// \throw scene::Error as run()

@@ -7,7 +7,8 @@
 
 namespace bracket::apps {
 
-/// What every file of results begins with: schema, program, scene.
+/// What every file of results begins with: schema, program and, where there is one, the scene.
+nlohmann::ordered_json heading();
 nlohmann::ordered_json heading(const scene::Scene<2>& scene);
 
 /// A level as report.json and study.json tell it.

@@ -40,16 +40,15 @@ Ending perform(int argc, char** argv) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
   };
-  const auto add_folder = [&options](CLI::App* command, const char* ending) {
+  const auto add_folder = [&options](CLI::App* command, const std::string& otherwise) {
     command
-        ->add_option("-o", options.folder,
-                     fmt::format("Folder for the results (default: the scene's name + {})", ending))
+        ->add_option("-o", options.folder, fmt::format("Folder for the results (default: {})", otherwise))
         ->type_name("DIR")
         ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
   };
   CLI::App* run = app.add_subcommand("run", "Solve a scene and report the energy between its bounds");
   add_scene(run);
-  add_folder(run, ".out");
+  add_folder(run, "the scene's name + .out");
   run->add_flag("--json", options.json, "Print the report as JSON alone");
   run->add_flag("--quiet", options.quiet, "Print the interval alone");
   run->add_flag("--png", options.png, "Pictures as PNG too");
@@ -57,11 +56,14 @@ Ending perform(int argc, char** argv) {
 
   CLI::App* study = app.add_subcommand("study", "Error against run time: uniform and adaptive, degree 1 and 2");
   add_scene(study);
-  add_folder(study, ".study");
+  add_folder(study, "the scene's name + .study");
 
   CLI::App* extremes = app.add_subcommand("extremes", "The interval as moduli, cells, units, loads become extreme");
   add_scene(extremes);
-  add_folder(extremes, ".extremes");
+  add_folder(extremes, "the scene's name + .extremes");
+
+  CLI::App* paper = app.add_subcommand("paper", "The theorems of Haslinger & Hlavacek 1981 as tables");
+  add_folder(paper, "bracket.paper");
 
   CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
   add_scene(check);
@@ -80,10 +82,11 @@ Ending perform(int argc, char** argv) {
   if (run->parsed()) return bracket::apps::run(options);
   if (study->parsed()) return bracket::apps::study(options.scene, options.overrides, options.folder);
   if (extremes->parsed()) return bracket::apps::extremes(options.scene, options.overrides, options.folder);
+  if (paper->parsed()) bracket::apps::paper(options.folder);
   if (check->parsed()) bracket::apps::check(options.scene, options.overrides);
   if (info->parsed()) bracket::apps::info(mesh);
   if (app.get_subcommands().empty())
-    throw Error(Status::input, "expected a command: run, study, extremes, check or info (see bracket --help)");
+    throw Error(Status::input, "expected a command: run, study, extremes, paper, check or info (see bracket --help)");
   return {};
 }
 

@@ -62,12 +62,13 @@ Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lowe
 
 }  // namespace
 
+Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION}}; }
+
 Json heading(const scene::Scene<2>& scene) {
-  return {{"schema", 1},
-          {"generator", "bracket"},
-          {"version", BRACKET_VERSION},
-          {"title", scene.title},
-          {"scene", scene.file}};
+  Json json = heading();
+  json["title"] = scene.title;
+  json["scene"] = scene.file;
+  return json;
 }
 
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
