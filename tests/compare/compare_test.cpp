@@ -155,6 +155,37 @@ TEST_P(Compared, contact_zones_overlap) {
   EXPECT_GT(closed, all / 2);
 }
 
+TEST_P(Compared, pressures_differ_by_no_more_than_the_stresses) {
+  // With m such that σ_dd = m·σ: σ_dd² ≤ (m·Cm) (σ·C⁻¹σ). For linear f on a triangle T and its side e, of which the
+  // part of a cell at e is one: ∫_e f² ≤ 3 |e|/|T| ∫_T f² [Warburton & Hesthaven 2003].
+  const auto outcome = run(2);
+  const auto& problem = outcome.problem;
+  const auto states = bounds::contact_state(problem, outcome.displacement, outcome.stress);
+  double largest = 0;
+  for (const auto& state : states) largest = std::max({largest, state.pressure[0], state.pressure[1]});
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const int first = problem.contact[j].first;
+    const auto& facet = problem.mesh.boundary[first];
+    const auto stress = bounds::displacement_stress(problem, outcome.displacement, facet.cell);
+    const Vector<2> d = problem.facets[first].normal;
+    const scene::Voigt<2> m(d[0] * d[0], d[1] * d[1], 2 * d[0] * d[1]);
+    const double a = states[j].pressure[0] + m.dot(stress[(facet.local + 1) % 3]);
+    const double b = states[j].pressure[1] + m.dot(stress[(facet.local + 2) % 3]);
+    const double length = scene::length(problem.mesh, first), part = scene::volume(problem.mesh, facet.cell) / 3;
+    const double stiffness = m.dot(problem.bodies[problem.mesh.cell_body[facet.cell]].stiffness * m);
+    const double rounding = 1e-10 * largest;
+    EXPECT_LE(length / 3 * (a * a + a * b + b * b),
+              3 * length / part * stiffness * 2 * outcome.indicator.cell[facet.cell] + length * rounding * rounding);
+  }
+}
+
+TEST_P(Compared, formulations_approach_each_other) {
+  // No corner is worse than a crack, whose stress like r^-½ leaves an error of order h in the energy.
+  const auto outcome = run(2);
+  const auto &coarse = outcome.levels[0].plain, &fine = outcome.levels[1].plain;
+  EXPECT_LE(fine.upper - fine.lower, (coarse.upper - coarse.lower) / 2 + 1e-12 * std::abs(fine.upper));
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Compared, testing::ValuesIn(scene_files()),
                          [](const auto& file) { return file.param.stem().string(); });
 
