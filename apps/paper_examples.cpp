@@ -160,7 +160,7 @@ void compare_contact(const bounds::Outcome<2>& outcome, Measured& measured) {
   constexpr double rounding = 1e-8;
   const auto& problem = outcome.problem;
   const auto states = bounds::contact_state(problem, outcome.displacement, outcome.stress);
-  const double largest = largest_pressure(problem, states, 0);
+  const double no_pressure = rounding_of_pressure(problem, outcome.stress, states, 0);
   double approach = 0;
   for (const auto& u : outcome.displacement.vertex) approach = std::max(approach, u.norm());
   double difference = 0, norm = 0;
@@ -171,7 +171,7 @@ void compare_contact(const bounds::Outcome<2>& outcome, Measured& measured) {
     const auto by_displacements = displacement_pressure(problem, outcome.displacement, facet);
     difference += length * mean_square(by_stresses[0] - by_displacements[0], by_stresses[1] - by_displacements[1]);
     norm += length * mean_square(by_stresses[0], by_stresses[1]);
-    if (presses(states[j], largest)) measured.pressed += length;
+    if (presses(states[j], no_pressure)) measured.pressed += length;
     if (std::ranges::max(states[j].gap_left) < rounding * approach) measured.closed += length;
   }
   measured.pressure_difference = std::sqrt(difference / norm);

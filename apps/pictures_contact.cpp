@@ -20,7 +20,7 @@ struct Unrolled {
 
 Unrolled unroll(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
-  const double largest = largest_pressure(problem, report.contact, pair);
+  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
   Unrolled line;
   const auto add = [](std::string& data, double s, double value) {
     fmt::format_to(std::back_inserter(data), "{:.9g} {:.9g}\n", s, value);
@@ -39,7 +39,7 @@ Unrolled unroll(const Report& report, int pair) {
       add(line.gap, from, state.gap_left[0]);
       add(line.gap, (from + to) / 2, state.gap_left[2]);
       add(line.gap, to, state.gap_left[1]);
-      if (presses(state, largest)) {
+      if (presses(state, rounding)) {
         add(line.pressed, from, 1);
         add(line.pressed, to, 1);
       } else {
@@ -56,21 +56,21 @@ Unrolled unroll(const Report& report, int pair) {
 /// seen. Three hundredths of the pressed length may reach beyond.
 double drawn_pressure(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
-  const double largest = largest_pressure(problem, report.contact, pair);
-  if (largest == 0) return 1;
+  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
   std::vector<std::pair<double, double>> pressed;  // largest pressure on a facet, and its length
   double length = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    if (problem.contact[i].pair != pair || !presses(report.contact[i], largest)) continue;
+    if (problem.contact[i].pair != pair || !presses(report.contact[i], rounding)) continue;
     pressed.emplace_back(std::ranges::max(report.contact[i].pressure),
                          scene::length(problem.mesh, problem.contact[i].first));
     length += pressed.back().second;
   }
+  if (pressed.empty()) return 1;
   std::ranges::sort(pressed, std::greater<>());
   double beyond = 0;
   const auto usual =
       std::ranges::find_if(pressed, [&](const auto& facet) { return (beyond += facet.second) > 0.03 * length; });
-  return std::min(1.15 * largest, 1.5 * usual->first);
+  return std::min(1.15 * pressed.front().first, 1.5 * usual->first);
 }
 
 /// The gap up to which a pair is drawn. One that is closed but for rounding errors is drawn so, by the displacements.

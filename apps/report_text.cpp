@@ -55,6 +55,7 @@ std::string seconds_table(const Report& report) {
 std::string pair_line(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const double largest = largest_pressure(problem, report.contact, pair);
+  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
   double force = 0, pressed = 0, whole = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     if (problem.contact[i].pair != pair) continue;
@@ -62,7 +63,7 @@ std::string pair_line(const Report& report, int pair) {
     const double length = scene::length(problem.mesh, problem.contact[i].first);
     force += length * (a + b) / 2;
     whole += length;
-    if (presses(report.contact[i], largest)) pressed += length;
+    if (presses(report.contact[i], rounding)) pressed += length;
   }
   return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
                      report.scene.contact[pair].first, report.scene.contact[pair].second, force, largest, pressed,

@@ -68,8 +68,22 @@ double largest_pressure(const scene::Problem<2>& problem, const std::vector<boun
   return largest;
 }
 
-bool presses(const bounds::ContactState& state, double largest) {
-  return std::ranges::max(state.pressure) > bounds::Checks::tolerance * largest;
+double rounding_of_pressure(const scene::Problem<2>& problem, const dual::Stress<2>& stress,
+                            const std::vector<bounds::ContactState>& contact, int pair) {
+  constexpr double of_stress = 1e-11;  // the certificate drops what is less
+  const scene::Mesh<2>& mesh = problem.mesh;
+  std::vector<char> touches(mesh.bodies.size(), 0);
+  for (const scene::ContactFacet& facet : problem.contact)
+    for (const int side : {facet.first, facet.second})
+      if (facet.pair == pair && side >= 0) touches[mesh.cell_body[mesh.boundary[side].cell]] = 1;
+  double largest = 0;
+  for (std::size_t c = 0; c < stress.cell.size(); ++c) {
+    if (!touches[mesh.cell_body[c]]) continue;
+    for (const scene::Voigt<2>& s : stress.cell[c]) largest = std::max(largest, s.norm());
+  }
+  return std::max(of_stress * largest, bounds::Checks::tolerance * largest_pressure(problem, contact, pair));
 }
+
+bool presses(const bounds::ContactState& state, double rounding) { return std::ranges::max(state.pressure) > rounding; }
 
 }  // namespace bracket::apps

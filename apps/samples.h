@@ -26,7 +26,12 @@ std::vector<Chain> chains(const scene::Problem<2>& problem, int pair);
 /// Largest pressure of λ_h on a pair.
 double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair);
 
-/// Whether λ_h presses on a contact facet: more than the rounding errors that open ones carry.
-bool presses(const bounds::ContactState& state, double largest);
+/// The pressure up to which a contact facet of a pair is open but for rounding errors of λ_h: by the pair's largest
+/// and, where that is rounding itself, by the largest stress in the pair's bodies.
+double rounding_of_pressure(const scene::Problem<2>& problem, const dual::Stress<2>& stress,
+                            const std::vector<bounds::ContactState>& contact, int pair);
+
+/// Whether λ_h presses on a contact facet. \param rounding of its pair, as rounding_of_pressure()
+bool presses(const bounds::ContactState& state, double rounding);
 
 }  // namespace bracket::apps

@@ -83,16 +83,19 @@ template <int dim> Loads loads(const scene::Problem<dim>& problem, const Motions
   return result;
 }
 
-/// The body that a motion moves most, and how.
+/// The body that a motion moves most, and how. Each free motion moves points of its body by about 1, so that y says how
+/// far: what moves them by less than 1e-8 of the most is rounding of the loads, and would be told as a turn about a
+/// point far away.
 template <int dim>
 std::string explain(const scene::Problem<dim>& problem, const Motions<dim>& all, const Eigen::VectorXd& y) {
+  constexpr double negligible = 1e-8;
   Eigen::Index most = 0;
   y.cwiseAbs().maxCoeff(&most);
   const int body = all.body[most];
   scene::RigidMotion<dim> motion{Vector<dim>::Zero(), 0, all.motion[most].centre};
   const double unit = std::abs(y[most]);
   for (std::size_t m = 0; m < all.motion.size(); ++m) {
-    if (all.body[m] != body || std::abs(y[m]) < 1e-12 * unit) continue;
+    if (all.body[m] != body || std::abs(y[m]) < negligible * unit) continue;
     motion.translation += y[m] / unit * all.motion[m].translation;
     motion.rotation += y[m] / unit * all.motion[m].rotation;
   }

@@ -222,8 +222,9 @@ template <int dim> struct Problem {
 };
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
-/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge;
-/// gives the facets of one straight line one normal.
+/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge; gives the facets of one straight
+/// line one normal; where displacements are prescribed on both sides of a contact's vertex and close more than its gap
+/// by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to their approach.
 /// \throw Error (input: unknown names, two conditions on one part, values that are not finite or out of
 ///        range, prescribed displacements that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);

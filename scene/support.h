@@ -13,4 +13,11 @@ namespace bracket::scene {
 std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetData<2>> facets,
                                          const std::vector<const Condition<2>*>& conditions, double largest);
 
+/// At vertices where both sides' displacements along a gap are prescribed, raises the gap to the approach that they
+/// make, rounded up, if it falls short of that by no more than 8 ε of the sizes involved: those displacements, the gap
+/// and the bodies, of whose positions a gap is the difference. No displacement could make good there what rounding has
+/// taken.
+/// \pre everything else is fixed   \return by how much a gap was raised at most
+double make_room(Problem<2>& problem);
+
 }  // namespace bracket::scene

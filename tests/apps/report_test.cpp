@@ -88,6 +88,13 @@ TEST_F(Report, JsonHasItsFields) {
   EXPECT_TRUE(json["skipped"].is_array());
 }
 
+TEST_F(Report, RoundingDoesNotPress) {
+  const Ended ended =
+      shell("bracket run contact.toml --set contact.0.gap=1 --set 'boundary.\"upper.right\".fixed=[0,0]'");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find(", pressed on 0 of a length of 1\n"), std::string::npos) << ended.out;
+}
+
 TEST_F(Report, TheErrorBoundFollowsFromTheInterval) {
   ASSERT_EQ(shell("bracket run contact.toml").status, 0);
   const Json json = Json::parse(read("contact.out/report.json"));

@@ -10,6 +10,7 @@ namespace bracket::bounds {
 namespace {
 
 using scene::Status;
+using scene::Vector;
 
 scene::Scene<2> adaptive(double target) {
   auto scene = tests::two_blocks(2);
@@ -23,6 +24,31 @@ TEST(Driver, stops_at_the_target) {
   EXPECT_LE(outcome.relative_error_bound, 0.02);
   ASSERT_GE(outcome.levels.size(), 2u);
   EXPECT_GT(outcome.levels[outcome.levels.size() - 2].bracket.relative_error_bound, 0.02);
+}
+
+// Both sides prescribed so that they touch, in any direction: their gap is closed but for rounding, which nothing could
+// make good.
+TEST(Driver, sides_prescribed_to_touch_have_bounds) {
+  const Vector<2> lower(0.1, 0.3), upper(-0.2, 0.07);
+  for (const int degree : {1, 2})
+    for (int angle = 0; angle < 20; ++angle) {
+      auto scene = tests::two_blocks(2);
+      scene.solve.degree = degree;
+      scene.refine = {.strategy = "uniform", .max_levels = 2};
+      for (const char* side : {".left", ".right"}) {
+        scene.boundary[std::string("lower") + side] = tests::fixed(lower[0], lower[1]);
+        scene.boundary[std::string("upper") + side] = tests::fixed(upper[0], upper[1]);
+      }
+      scene.boundary.erase("lower.bottom");
+      auto mesh = scene::build_mesh(scene);
+      for (Vector<2>& x : mesh.vertices) x = Eigen::Rotation2Dd(0.3 * angle) * x;
+      const auto without_gap = scene::fix_data(scene, mesh);
+      const Vector<2> d = without_gap.facets[without_gap.contact[0].first].normal;
+      scene.contact[0].gap = tests::constant((upper - lower).dot(d));
+      const auto outcome = run(scene, scene::fix_data(scene, mesh));
+      EXPECT_EQ(outcome.guarantee, "rounding-safe") << angle << ": " << outcome.reason;
+      EXPECT_EQ(outcome.levels.size(), 2u) << angle;
+    }
 }
 
 TEST(Driver, spends_its_budget_and_keeps_the_bounds) {

@@ -68,6 +68,15 @@ TEST(Solvability, prescribed_displacements_must_keep_the_contact) {
   EXPECT_EQ(refusal(s), "");
 }
 
+TEST(Solvability, a_turn_by_rounding_is_none) {
+  // So far from the origin that the moment of the load is rounded to 1e-11 of its size.
+  auto s = on_a_wall();
+  s.blocks = {tests::block("block", 1e5, 1e5 + 0.7, 0, 0.7, 4, 4)};
+  s.boundary["block.top"] = tests::traction(tests::constant(0), tests::constant(0.1));
+  const std::string message = refusal(s);
+  EXPECT_NE(message.find("moving it by (0, 1)"), std::string::npos) << message;
+}
+
 TEST(Solvability, bodies_stand_on_each_other) {
   auto s = tests::linear_pressure({.c = 0.3}, 4, 2);
   EXPECT_EQ(refusal(s), "");

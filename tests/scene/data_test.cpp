@@ -155,6 +155,29 @@ TEST(Data, SlidingSidesMayDifferAtACorner) {
                                     {"a.left", {ConditionKind::sliding, {constant(5)}, ""}}})));
 }
 
+// 0.1 + 0.2 exceeds 0.3 by rounding; where both sides are prescribed nothing could give way.
+TEST(Data, GapsThatRoundingClosesAreRaised) {
+  const auto held = [](double y) { return Condition<2>{ConditionKind::fixed, {constant(0), constant(y)}, ""}; };
+  const auto gaps = [&](int cells, double gap) {
+    Scene<2> scene = stacked(
+        cells, {{"a.left", held(0.1)}, {"a.right", held(0.1)}, {"b.left", held(-0.2)}, {"b.right", held(-0.2)}});
+    scene.contact[0].gap = constant(gap);
+    std::vector<std::array<double, 3>> result;
+    for (const ContactFacet& facet : fixed(scene).contact) result.push_back(facet.gap);
+    return result;
+  };
+  const long double approach = static_cast<long double>(0.1) + 0.2;
+  const auto has_room = [&](double gap) { return gap >= approach && gap <= 0.3 + 2 * eps; };
+  for (const int cells : {1, 3}) {
+    int raised = 0;
+    for (const auto& gap : gaps(cells, 0.3))
+      for (const double value : gap) raised += value == 0.3 ? 0 : has_room(value) ? 1 : 100;
+    EXPECT_EQ(raised, 2) << cells;  // the ends of the contact line
+  }
+  for (const double kept : {0.4, 0.3 + eps, 0.3 - 1e-13})  // enough, and too little for rounding
+    for (const auto& gap : gaps(2, kept)) EXPECT_EQ(gap, (std::array{kept, kept, kept}));
+}
+
 struct Bad {
   Scene<2> scene;
   std::vector<std::string> named;
@@ -229,7 +252,6 @@ TEST(Data, PartNamedRigidIsRefusedWhereAWallIsMeant) {
   EXPECT_EQ(std::string(error->what()).find("here: 'rigid'"), 0u) << error->what();
 }
 
-// Two collinear sliding parts meet at a vertex: there they prescribe the same component.
 TEST(Motion, IsDescribedWithoutTheRoundingOfItsCoordinates) {
   EXPECT_EQ(describe<2>({{1e-17, 1}, 0, {2, 3}}), "moving it by (0, 1)");
   // The pole is centre + (−t_y, t_x) / rotation.
@@ -237,6 +259,7 @@ TEST(Motion, IsDescribedWithoutTheRoundingOfItsCoordinates) {
   EXPECT_EQ(describe<2>({{0, 0}, -1e6, {3e-7, 1e-7}}), "turning it clockwise about (3e-07, 1e-07)");  // a small body
 }
 
+// Two collinear sliding parts meet at a vertex: there they prescribe the same component.
 TEST(Data, CollinearSlidingPartsMustAgree) {
   const Folder folder;
   GmshContent content = two_squares();
