@@ -1,6 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 
 #include "tests/apps/command.h"
 
@@ -170,19 +169,6 @@ TEST_F(CommandLine, ATerminalGetsProgressAndColourUnlessNotWanted) {
   EXPECT_FALSE(holds(shell("NO_COLOR=1 " + on_terminal + "\" /dev/null"), "\033[1m"));
   EXPECT_FALSE(holds(shell(on_terminal + " --quiet\" /dev/null"), "\r\033[K"));
 }
-
-#ifdef NDEBUG
-TEST_F(CommandLine, TheSmallestSceneTakesLessThanASecond) {
-  using Clock = std::chrono::steady_clock;
-  double fastest = 1e9;  // of three: the machine may be busy
-  for (int i = 0; i < 3; ++i) {
-    const Clock::time_point start = Clock::now();
-    ASSERT_EQ(shell("bracket run scene.toml").status, 0);
-    fastest = std::min(fastest, std::chrono::duration<double>(Clock::now() - start).count());
-  }
-  EXPECT_LT(fastest, 1.0);
-}
-#endif
 
 }  // namespace
 }  // namespace bracket::apps::tests
