@@ -7,37 +7,36 @@ namespace bracket::apps {
 
 using scene::Mesh;
 using scene::Problem;
-using scene::Support;
 using scene::Vector;
+
+namespace {
+
+/// Body forces, tractions, and prescribed displacements and gaps, each times its factor.
+Problem<2> with_data_times(Problem<2> problem, double force, double traction, double displacement) {
+  for (scene::Body<2>& body : problem.bodies) body.force *= force;
+  for (scene::FacetData<2>& facet : problem.facets)
+    for (int end = 0; end < 2; ++end) {
+      facet.traction[end] *= traction;
+      facet.displacement[end] *= displacement;
+      facet.normal_displacement[end] *= displacement;
+    }
+  for (scene::ContactFacet& facet : problem.contact)
+    for (double& gap : facet.gap) gap *= displacement;
+  return problem;
+}
+
+}  // namespace
 
 Problem<2> in_units(Problem<2> problem, double length, double stress) {
   for (Vector<2>& x : problem.mesh.vertices) x *= length;
   problem.length_scale *= length;
   for (std::size_t body = 0; body < problem.bodies.size(); ++body)
     problem = with_moduli_times(std::move(problem), static_cast<int>(body), stress);
-  for (scene::Body<2>& body : problem.bodies) body.force *= stress / length;
-  for (scene::FacetData<2>& facet : problem.facets)
-    for (int end = 0; end < 2; ++end) {
-      facet.traction[end] *= stress;
-      facet.displacement[end] *= length;
-      facet.normal_displacement[end] *= length;
-    }
-  for (scene::ContactFacet& facet : problem.contact)
-    for (double& gap : facet.gap) gap *= length;
-  return problem;
+  return with_data_times(std::move(problem), stress / length, stress, length);
 }
 
 Problem<2> with_loads_times(Problem<2> problem, double factor) {
-  for (scene::Body<2>& body : problem.bodies) body.force *= factor;
-  for (scene::FacetData<2>& facet : problem.facets)
-    for (int end = 0; end < 2; ++end) {
-      facet.traction[end] *= factor;
-      facet.displacement[end] *= factor;
-      facet.normal_displacement[end] *= factor;
-    }
-  for (scene::ContactFacet& facet : problem.contact)
-    for (double& gap : facet.gap) gap *= factor;
-  return problem;
+  return with_data_times(std::move(problem), factor, factor, factor);
 }
 
 namespace {
@@ -225,7 +224,7 @@ Loading loading(const Problem<2>& problem) {
   };
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
-    if (data.support != Support::traction || (data.traction[0].isZero(0) && data.traction[1].isZero(0))) continue;
+    if (!scene::is_loaded(data)) continue;
     const int facet = static_cast<int>(f);
     const auto [a, b] = ends(facet);
     const double own = scene::length(mesh, facet);

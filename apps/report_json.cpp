@@ -152,14 +152,13 @@ std::string history_csv(const Report& report) {
   text += "\n";
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
-                    level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper, level.bracket.relative_width,
-                    level.bracket.relative_error_bound, level.contact_rows, level.contact_active,
-                    level.contact_iterations, level.seconds.mesh, level.seconds.primal, level.seconds.dual,
-                    level.seconds.estimate, level.seconds.certify, level.seconds.total, report.around[i].write,
-                    report.around[i].elapsed,
-                    fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
+                        level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                        level.bracket.relative_width, level.bracket.relative_error_bound, level.contact_rows,
+                        level.contact_active, level.contact_iterations, level.seconds.mesh, level.seconds.primal,
+                        level.seconds.dual, level.seconds.estimate, level.seconds.certify, level.seconds.total,
+                        report.around[i].write, report.around[i].elapsed, fmt::join(primal_phases(level), ","),
+                        fmt::join(dual_phases(level), ","));
   }
   return text;
 }

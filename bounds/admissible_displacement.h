@@ -20,13 +20,13 @@ struct VertexSupport {
 std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem);
 
 /// Displacements as plain numbers: u = Σ vertex φ_v + Σ bubble 4 φ_a φ_b over the edges ab. The field they stand for is
-/// moved onto the supports exactly by shift() and bubble_shift(), which are of the size of rounding.
+/// moved onto the supports exactly by shift(), and bubbles on Γ_0 by onto(), which are of the size of rounding.
 struct PlainField {
   std::vector<scene::Vector<2>> vertex;
   std::vector<scene::Vector<2>> bubble;  ///< of each edge; empty for degree 1
 };
 
-/// The vector normal to `normal` … moves u onto u·normal = value.
+/// The vector along `normal` that moves u onto u·normal = value.
 template <class Number>
 Plane<Number> onto(const Plane<Number>& u, const scene::Vector<2>& normal, const Number& value) {
   const Plane<Number> n = plane<Number>(normal);
@@ -53,7 +53,8 @@ Number component(const VertexSupport& support, const scene::Vector<2>& displacem
     if (support.normal[i] == d) return Number(support.value[i]);
     if (support.normal[i] == -d) return -Number(support.value[i]);
   }
-  return dot(plane<Number>(displacement), plane<Number>(d)) + dot(shift<Number>(support, displacement), plane<Number>(d));
+  const Plane<Number> along = plane<Number>(d);
+  return dot(plane<Number>(displacement), along) + dot(shift<Number>(support, displacement), along);
 }
 
 /// (u' − u'')·d at a vertex of a contact's first side and that of the second on it (−1: a wall): what moves both alike
@@ -109,16 +110,20 @@ template <class Number> struct FieldEnergy {
 };
 
 /// The strain energy of one cell.
-/// \param u at its vertices: the plain part and the shift   \param bubble at its edges, of degree 2
+/// \param shifts of all vertices, as shift() gives them: they are added to the plain displacements
+/// \param bubbles of all edges, moved onto the supports; empty for degree 1
 template <class Number>
 Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
-                          const std::vector<Plane<Number>>& shifts, const std::vector<Plane<Number>>& bubbles, int cell) {
+                          const std::vector<Plane<Number>>& shifts, const std::vector<Plane<Number>>& bubbles,
+                          int cell) {
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
   const Number doubled = doubled_area<Number>(mesh, cell);
   std::array<Plane<Number>, 3> gradient;  // of φ
-  for (int k = 0; k < 3; ++k)
-    gradient[k] = (Number(1) / doubled) * turned(between<Number>(mesh.vertices[v[(k + 1) % 3]], mesh.vertices[v[(k + 2) % 3]]));
+  for (int k = 0; k < 3; ++k) {
+    const Plane<Number> opposite = between<Number>(mesh.vertices[v[(k + 1) % 3]], mesh.vertices[v[(k + 2) % 3]]);
+    gradient[k] = (Number(1) / doubled) * turned(opposite);
+  }
   std::array<std::array<Number, 3>, 3> strain;
   for (int m = 0; m < 3; ++m) {
     Number xx(0), yy(0), xy(0);
@@ -156,7 +161,7 @@ template <class Number> Number facet_length(const scene::Mesh<2>& mesh, int face
   return root(dot(e, e));
 }
 
-/// L of the field that `field` stands for [HH81 §1]. \param sum a type with add() and value()
+/// L of the field that `field` stands for [HH81 §1]. \tparam Sum with add() and value()
 template <class Number, class Sum>
 FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                  const PlainField& field) {
@@ -184,7 +189,7 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
-    if (data.support != scene::Support::traction || (data.traction[0].isZero(0) && data.traction[1].isZero(0))) continue;
+    if (!scene::is_loaded(data)) continue;
     const int facet = static_cast<int>(f);
     const Number length = facet_length<Number>(mesh, facet);
     work.add(facet_work<Number>(mesh, supports, field, facet,

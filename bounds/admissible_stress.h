@@ -7,8 +7,8 @@
 #include "bounds/block_stress.h"
 #include "dual/dual.h"
 
-/// Edge loads in balance with the data exactly, and the energy of their stresses: real numbers that `Number` encloses or
-/// holds exactly.
+/// Edge loads in balance with the data exactly, and the energy of their stresses: real numbers that `Number` encloses
+/// or holds exactly.
 namespace bracket::bounds {
 
 /// The loads on all edges as plain numbers, per unit of the parameter along the edge, from its first vertex a to its
@@ -69,7 +69,7 @@ template <class Number> Loads<Number> loads_of(const scene::Problem<2>& problem,
   for (const auto& [a, b] : given.along_normal) loads.along_normal.push_back({Number(a), Number(b)});
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
-    if (data.support != scene::Support::traction || (data.traction[0].isZero(0) && data.traction[1].isZero(0))) continue;
+    if (!scene::is_loaded(data)) continue;
     const int facet = static_cast<int>(f);
     const Number length = facet_length<Number>(problem.mesh, facet);
     set_boundary_load(loads, problem.mesh, facet,
@@ -99,7 +99,8 @@ template <class Number> Block<Number> block(const scene::Mesh<2>& mesh, const Lo
 }
 
 /// What is left of a cell's loads and its body force, about its first corner.
-template <class Number> Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number>& block, int cell) {
+template <class Number>
+Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number>& block, int cell) {
   Resultant<Number> sum;
   for (int i = 0; i < 3; ++i) {
     const auto part = resultant(block.load[i], block.x[i], block.x[(i + 1) % 3] - block.x[i]);
@@ -151,7 +152,7 @@ Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>&
   return sum;
 }
 
-/// S(λ) [HH81 (1.11)] of the stresses of balanced loads. \param Sum a type with add() and value()
+/// S(λ) [HH81 (1.11)] of the stresses of balanced loads. \tparam Sum with add() and value()
 template <class Number, class Sum>
 Number stress_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                      const Loads<Number>& loads) {

@@ -62,7 +62,7 @@ FromStress from_stress(const scene::Problem<2>& problem, const std::vector<Verte
   constexpr double negligible = 1e-10;
   FromStress result;
   auto [loads, reason] = balanced<Enclosure, LongSum>(problem, plain_loads(problem, stress));
-  result.reason = reason;
+  result.reason = std::move(reason);
   if (!loads) return result;
   result.added_load = relative_size(*loads);
   if (!(result.added_load <= negligible))

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 
 #include "bounds/fields.h"
@@ -20,15 +21,10 @@ void raise(double& largest, double value) {
 /// motions stay out, so that a body that flies off does not hide how far it penetrates.
 template <int dim>
 double displacement_scale(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
-  double strain = 0, given = 0;
+  double strain = 0;
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
     for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
-  for (const auto& pair : problem.contact)
-    for (const double g : pair.gap) raise(given, std::abs(g));
-  for (const auto& data : problem.facets)
-    for (int i = 0; i < dim; ++i)
-      raise(given, std::max(data.displacement[i].norm(), std::abs(data.normal_displacement[i])));
-  return strain * problem.length_scale + given;
+  return strain * problem.length_scale + largest_given(problem);
 }
 
 template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
@@ -61,8 +57,8 @@ double penetration(const scene::Problem<dim>& problem, const primal::Displacemen
   return worst;
 }
 
-/// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which are
-/// exact: far from the origin the centroid itself would be rounded by more than small cells bear.
+/// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which
+/// are exact: far from the origin the centroid itself would be rounded by more than small cells bear.
 template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh, int cell, int k) {
   const auto& v = mesh.cells[cell];
   const Vector<dim>&a = mesh.vertices[v[(k + 1) % 3]], &b = mesh.vertices[v[(k + 2) % 3]], &c = mesh.vertices[v[k]];

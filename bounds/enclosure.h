@@ -12,8 +12,8 @@ using Real = long double;
 /// A real number known to lie within `radius` of `middle`. Every operation gives an enclosure of all values that its
 /// operands allow, rounding of its own included; no rounding mode is changed. What cannot be enclosed (a divisor around
 /// zero, overflow) has an infinite or undefined radius.
-/// Rounding errors of sums are computed exactly [Knuth's TwoSum], those of products are bounded by ½ ulp; a radius itself
-/// is rounded a few times, which `up` makes good.
+/// Rounding errors of sums are computed exactly [Knuth's TwoSum], those of products are bounded by ½ ulp; a radius
+/// itself is rounded a few times, which `up` makes good.
 struct Enclosure {
   Real middle = 0;
   Real radius = 0;
@@ -88,12 +88,6 @@ inline Enclosure operator/(const Enclosure& x, const Enclosure& y) {
 
 inline Enclosure& operator+=(Enclosure& x, const Enclosure& y) { return x = x + y; }
 inline Enclosure& operator-=(Enclosure& x, const Enclosure& y) { return x = x - y; }
-
-inline Enclosure square(const Enclosure& x) {
-  if (x.is_zero()) return {};
-  const Real product = x.middle * x.middle;
-  return {product, rounding::up(x.radius * (2 * std::abs(x.middle) + x.radius) + rounding::half_ulp * product)};
-}
 
 /// √x for x > 0: |√y − √m| ≤ |y − m| / √m.
 inline Enclosure root(const Enclosure& x) {

@@ -44,7 +44,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const prima
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
-    if (data.support != Support::traction || (data.traction[0].isZero(0) && data.traction[1].isZero(0))) continue;
+    if (!scene::is_loaded(data)) continue;
     const auto u = on_facet(mesh, displacement, static_cast<int>(f));
     work += simpson(data.traction[0].dot(u[0]), (data.traction[0] + data.traction[1]).dot(u[2]) / 2,
                     data.traction[1].dot(u[1]), scene::length(mesh, static_cast<int>(f)));

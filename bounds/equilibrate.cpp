@@ -46,7 +46,8 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& 
       const int from = mesh.cells[c][(k + 1) % 3], to = mesh.cells[c][(k + 2) % 3];
       const Vector<2> e = mesh.vertices[to] - mesh.vertices[from];
       const Vector<2> normal(e[1], -e[0]);  // as long as the edge
-      const Vector<2> begin = traction<2>(stress.cell[c][3 * k], normal), end = traction<2>(stress.cell[c][3 * k + 1], normal);
+      const Vector<2> begin = traction<2>(stress.cell[c][3 * k], normal);
+      const Vector<2> end = traction<2>(stress.cell[c][3 * k + 1], normal);
       const bool along = mesh.edges[edge][0] == from;
       loads.edge[edge][0] += along ? begin : Vector<2>(-end);
       loads.edge[edge][1] += along ? end : Vector<2>(-begin);
@@ -89,7 +90,8 @@ std::vector<Reference> references(const scene::Mesh<2>& mesh) {
       high[mesh.cell_body[c]] = high[mesh.cell_body[c]].cwiseMax(mesh.vertices[v]);
     }
   std::vector<Reference> result;
-  for (std::size_t b = 0; b < low.size(); ++b) result.push_back({(low[b] + high[b]) / 2, (high[b] - low[b]).norm() / 2});
+  for (std::size_t b = 0; b < low.size(); ++b)
+    result.push_back({(low[b] + high[b]) / 2, (high[b] - low[b]).norm() / 2});
   return result;
 }
 
@@ -133,9 +135,8 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
 
 }  // namespace
 
-std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads,
-                                const std::vector<Reaction>& barred) {
-  const std::vector<Reference> about = references(problem.mesh);
+std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
+                                const PlainLoads& loads, const std::vector<Reaction>& barred) {
   std::vector<Candidate> all = candidates(problem, loads);
   const auto is_barred = [&](const Candidate& candidate) {
     return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
@@ -147,7 +148,7 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoa
   const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
   for (std::size_t j = 0; j < all.size(); ++j) {
-    const auto column = effect<double>(problem, about, all[j].reaction);
+    const auto column = effect<double>(problem, references, all[j].reaction);
     effects.col(static_cast<Eigen::Index>(j)) = all[j].weight * Eigen::Map<const Eigen::VectorXd>(column.data(), n);
   }
   if (effects.cols() < n) return {};

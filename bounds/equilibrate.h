@@ -1,7 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <numeric>
 #include <optional>
 
 #include "bounds/admissible_stress.h"
@@ -24,19 +23,20 @@ struct Reaction {
   bool operator==(const Reaction&) const = default;
 };
 
-/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are
-/// large and may fall, then those of zero, which may rise; loads on Γ_τ, which would change the data, only where nothing
-/// else holds a motion.
-/// \param barred pressures that are not to be taken   \return fewer where no basis was found
-std::vector<Reaction> reactions(const scene::Problem<2>& problem, const PlainLoads& loads,
-                                const std::vector<Reaction>& barred);
-
 /// The point about which moments of a body are counted, and the size of the body.
 struct Reference {
   scene::Vector<2> point;
   double size;
 };
+/// Of each body.
 std::vector<Reference> references(const scene::Mesh<2>& mesh);
+
+/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are
+/// large and may fall, then those of zero, which may rise; loads on Γ_τ, which would change the data, only where
+/// nothing else holds a motion.
+/// \param barred pressures that are not to be taken   \return fewer where no basis was found
+std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
+                                const PlainLoads& loads, const std::vector<Reaction>& barred);
 
 /// A cell in its body's tree of cells.
 struct Branch {
@@ -76,43 +76,40 @@ Resultant<Number> facet_resultant(const scene::Mesh<2>& mesh, const std::vector<
                    between<Number>(mesh.vertices[a], mesh.vertices[b]));
 }
 
-/// Force and moment on all bodies, one after the other, moments by the size of the body: an entry of Gᵀp = e.
-template <class Number>
-void count(std::vector<Number>& entries, const Reference& reference, int body, const Resultant<Number>& part) {
-  entries[3 * body] += part.force.x;
-  entries[3 * body + 1] += part.force.y;
-  entries[3 * body + 2] += part.moment / Number(reference.size);
+/// A body's entries of Gᵀp = e: force, and moment by the size of the body.
+template <class Number> std::array<Number, 3> entries(const Reference& reference, const Resultant<Number>& resultant) {
+  return {resultant.force.x, resultant.force.y, resultant.moment / Number(reference.size)};
 }
 
-/// What one unit of a reaction does to the bodies.
+/// What one unit of a reaction does to the bodies: their entries, one body after the other.
 template <class Number>
 std::vector<Number> effect(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                            const Reaction& reaction) {
   const auto& mesh = problem.mesh;
-  std::vector<Number> entries(3 * mesh.bodies.size(), Number(0));
+  std::vector<Number> result(3 * mesh.bodies.size(), Number(0));
   SideLoad<Number> load = unit_load<Number>(problem, reaction);
   const auto on = [&](int facet, const SideLoad<Number>& on_facet) {
     const int body = mesh.cell_body[mesh.boundary[facet].cell];
-    count(entries, references[body], body, facet_resultant(mesh, references, facet, on_facet));
+    const auto part = entries(references[body], facet_resultant(mesh, references, facet, on_facet));
+    for (int i = 0; i < 3; ++i) result[3 * body + i] += part[i];
   };
   if (problem.facets[reaction.facet].support == scene::Support::contact) {  // a pressure
     load = {-load[0], -load[1]};
     if (reaction.other >= 0) on(reaction.other, {-load[1], -load[0]});
   }
   on(reaction.facet, load);
-  return entries;
+  return result;
 }
 
-/// All that acts on the bodies from outside: the sum of what their cells lack.
+/// All that acts on the bodies from outside, as entries: the sum of what their cells lack.
 template <class Number, class Sum>
 std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                            const Loads<Number>& loads) {
   const auto& mesh = problem.mesh;
   std::vector<Sum> sums(3 * mesh.bodies.size());
-  const auto add = [&](int body, const Resultant<Number>& part) {
-    sums[3 * body].add(part.force.x);
-    sums[3 * body + 1].add(part.force.y);
-    sums[3 * body + 2].add(part.moment / Number(references[body].size));
+  const auto add = [&](int body, const Resultant<Number>& resultant) {
+    const auto part = entries(references[body], resultant);
+    for (int i = 0; i < 3; ++i) sums[3 * body + i].add(part[i]);
   };
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& facet = mesh.boundary[f];
@@ -152,7 +149,7 @@ bool hold(const scene::Problem<2>& problem, const std::vector<Reference>& refere
     for (std::size_t i = 0; i < n; ++i) matrix[i][j] = column[i];
     missing[j] = -missing[j];
   }
-  const auto amounts = solution(matrix, missing);
+  const auto amounts = solution(std::move(matrix), std::move(missing));
   if (!amounts) return false;
   for (std::size_t j = 0; j < n; ++j) {
     const auto& [kind, facet, which, other] = chosen[j];
@@ -182,14 +179,14 @@ std::optional<Reaction> in_tension(const Loads<Number>& loads, const std::vector
   return {};
 }
 
-/// Balances every cell of bodies that are held: each cell, from the leaves of its body's tree on, hands what it lacks to
-/// its parent, through their common edge; the root lacks nothing.
+/// Balances every cell of bodies that are held: each cell, from the leaves of its body's tree on, hands what it lacks
+/// to its parent, through their common edge; the root lacks nothing.
 template <class Number>
 Loads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Reference>& about,
                         const Loads<Number>& loads) {
   const auto& mesh = problem.mesh;
-  // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again from
-  // the loads that carry it, its enclosure would grow from cell to cell.
+  // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again
+  // from the loads that carry it, its enclosure would grow from cell to cell.
   std::vector<Resultant<Number>> lacks(mesh.cells.size());
   const auto add_to = [](Resultant<Number>& sum, const Resultant<Number>& part) {
     sum.force = sum.force + part.force;
@@ -223,7 +220,7 @@ Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& gi
   constexpr std::size_t most = 20;
   std::vector<Reaction> barred;
   while (true) {
-    const std::vector<Reaction> chosen = reactions(problem, given, barred);
+    const std::vector<Reaction> chosen = reactions(problem, about, given, barred);
     loads = loads_of<Number>(problem, given);
     if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads))
       return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};

@@ -1,6 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/fields.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bracket::bounds {
 
 using scene::Vector;
@@ -56,9 +59,20 @@ std::array<Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const dual::S
   return {traction<dim>(corners[3 * f.local], n), traction<dim>(corners[3 * f.local + 1], n)};
 }
 
+template <int dim> double largest_given(const scene::Problem<dim>& problem) {
+  double largest = 0;
+  for (const auto& data : problem.facets)
+    for (int i = 0; i < dim; ++i)
+      largest = std::max({largest, data.displacement[i].norm(), std::abs(data.normal_displacement[i])});
+  for (const auto& pair : problem.contact)
+    for (const double gap : pair.gap) largest = std::max(largest, std::abs(gap));
+  return largest;
+}
+
 template std::array<Voigt<2>, 3> strain_at_vertices(const scene::Mesh<2>&, const primal::Displacement<2>&, int);
 template std::array<Voigt<2>, 3> displacement_stress(const scene::Problem<2>&, const primal::Displacement<2>&, int);
 template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const primal::Displacement<2>&, int);
 template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const dual::Stress<2>&, int);
+template double largest_given(const scene::Problem<2>&);
 
 }  // namespace bracket::bounds

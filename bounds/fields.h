@@ -20,6 +20,9 @@ std::array<scene::Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const p
 template <int dim>
 std::array<scene::Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const dual::Stress<dim>& stress, int facet);
 
+/// The largest of the prescribed displacements and gaps.
+template <int dim> double largest_given(const scene::Problem<dim>& problem);
+
 /// σ n
 template <int dim> scene::Vector<dim> traction(const scene::Voigt<dim>& stress, const scene::Vector<dim>& n) {
   return {stress[0] * n[0] + stress[2] * n[1], stress[2] * n[0] + stress[1] * n[1]};

@@ -15,7 +15,7 @@ Loads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Refere
   PlainLoads pressed = none;  // reactions are taken where there is pressure: here it may be anywhere
   for (const auto& pair : problem.contact) pressed.along_normal[pair.first] = {1, 1};
   Loads<Enclosure> loads = loads_of<Enclosure>(problem, none);
-  if (!hold<Enclosure, LongSum>(problem, about, reactions(problem, pressed, {}), loads))
+  if (!hold<Enclosure, LongSum>(problem, about, reactions(problem, about, pressed, {}), loads))
     throw scene::Error(scene::Status::not_guaranteed,
                        "solve.dual = \"uzawa\": no supports or contacts were found that hold the bodies, as its "
                        "particular stress needs; write solve.dual = \"hybrid\"");

@@ -30,9 +30,6 @@ template <int dim> struct Solved {
   primal::Result<dim> primal;
   dual::Result<dim> dual;
   Seconds seconds;
-  bool both() const {
-    return primal.outcome == contact::Outcome::solved && dual.outcome == contact::Outcome::solved;
-  }
 };
 
 template <int dim> dual::Result<dim> solve_stresses(const Step<dim>& step, const scene::Solve& solve) {
@@ -118,8 +115,8 @@ template <int dim> double rounding(const scene::Problem<dim>& problem, const Bra
 }
 
 /// What is wrong with a level; empty: nothing.
-template <int dim>
-std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Level& level) {
+/// \param slack by which its bounds and the earlier ones may differ through rounding
+template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& level, double slack) {
   if (!level.certificate.valid) {
     const auto [name, value] = level.checks.worst();
     return fmt::format("no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
@@ -128,8 +125,7 @@ std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& proble
   }
   const auto [lower, upper] = std::pair(level.bracket.lower, level.bracket.upper);
   if (lower > upper) return fmt::format("the bounds computed on {} cells cross: a fault of this program", level.cells);
-  if (const double slack = rounding(problem, level.bracket);
-      upper < earlier.lower - slack || lower > earlier.upper + slack)
+  if (upper < earlier.lower - slack || lower > earlier.upper + slack)
     return fmt::format("the interval on {} cells and those before exclude each other: a fault of this program",
                        level.cells);
   // The spaces of displacements are nested: only solvers that went astray can raise the bound.
@@ -140,11 +136,11 @@ std::string fault(const Outcome<dim>& earlier, const scene::Problem<dim>& proble
 }
 
 /// Makes a level the last of the run. Its bracket is intersected with that of the levels before, which were of the same
-/// problem but for the rounding of midpoints.
+/// problem but for the rounding of midpoints (`slack`).
 template <int dim>
-void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<dim>& solved, Indicator shares) {
+void append(Outcome<dim>& outcome, const Level& level, double slack, Step<dim>& step, Solved<dim>& solved,
+            Indicator shares) {
   const Bracket& bracket = level.bracket;
-  const double slack = outcome.levels.empty() ? 0 : rounding(step.problem, bracket);
   outcome.lower = std::max(outcome.lower - slack, bracket.lower);
   outcome.upper = std::min(outcome.upper + slack, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
@@ -236,9 +232,10 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
       Level level = estimate(scene, step, solved, shares, outcome.levels);
       level.seconds.estimate = estimate_clock.seconds() - level.seconds.certify;
       level.seconds.total = clock.seconds();
-      why = fault(outcome, step.problem, level);
+      const double slack = outcome.levels.empty() ? 0 : rounding(step.problem, level.bracket);
+      why = fault(outcome, level, slack);
       if (why.empty()) outcome.guarantee = "rounding-safe";
-      if (why.empty() || outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
+      if (why.empty() || outcome.levels.empty()) append(outcome, level, slack, step, solved, std::move(shares));
       if (!why.empty()) return ended(std::move(outcome), refine, why, true);
       if (observer.level) observer.level(outcome);
       if (unstrained || reached(outcome, refine.target)) return outcome;

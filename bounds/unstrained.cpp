@@ -3,28 +3,16 @@
 
 #include <algorithm>
 
-namespace bracket::bounds {
+#include "bounds/fields.h"
 
-using scene::Support;
+namespace bracket::bounds {
 
 namespace {
 
 template <int dim> bool has_loads(const scene::Problem<dim>& problem) {
-  for (const auto& body : problem.bodies)
-    if (!body.force.isZero(0)) return true;
-  for (const auto& data : problem.facets)
-    if (data.support == Support::traction && (!data.traction[0].isZero(0) || !data.traction[1].isZero(0))) return true;
-  return false;
-}
-
-template <int dim> double largest_given_displacement(const scene::Problem<dim>& problem) {
-  double largest = 0;
-  for (const auto& data : problem.facets)
-    for (int i = 0; i < dim; ++i)
-      largest = std::max({largest, data.displacement[i].norm(), std::abs(data.normal_displacement[i])});
-  for (const auto& pair : problem.contact)
-    for (const double gap : pair.gap) largest = std::max(largest, std::abs(gap));
-  return largest;
+  return std::any_of(problem.bodies.begin(), problem.bodies.end(),
+                     [](const scene::Body<dim>& body) { return !body.force.isZero(0); }) ||
+         std::any_of(problem.facets.begin(), problem.facets.end(), scene::is_loaded<dim>);
 }
 
 /// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
@@ -48,8 +36,7 @@ template <int dim>
 bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
   if (has_loads(problem)) return false;
   constexpr double rounding = 1e-14;  // of displacements, relative: some tens of the last place
-  return potential_energy(problem, displacement).strain <=
-         energy_of_noise(problem, rounding * largest_given_displacement(problem));
+  return potential_energy(problem, displacement).strain <= energy_of_noise(problem, rounding * largest_given(problem));
 }
 
 template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {

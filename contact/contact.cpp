@@ -242,4 +242,19 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
   return solution;
 }
 
+std::string reason(const Solution& solution, const std::string& unknown, const std::vector<std::string>& bodies,
+                   const std::string& no_equilibrium, const std::string& contradiction) {
+  switch (solution.outcome) {
+    case Outcome::solved:
+    case Outcome::not_converged: return "";
+    case Outcome::no_equilibrium: return unknown + ": " + no_equilibrium;
+    case Outcome::contradiction: return unknown + ": " + contradiction;
+    case Outcome::not_definite: break;
+  }
+  return unknown + ": in floating point " +
+         (solution.body < 0 ? "the contact holds a body by rounding only"
+                            : "the body '" + bodies[solution.body] + "' is not held") +
+         "; moduli are too unlike or cells too thin";
+}
+
 }  // namespace bracket::contact

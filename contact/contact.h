@@ -5,6 +5,7 @@
 #include <Eigen/Sparse>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 /// Elastic bodies in frictionless contact, reduced to their common interface (design §1.5): bodies as sparse systems
@@ -33,7 +34,8 @@ enum class Outcome {
   solved,
   no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
   contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
-  not_converged,   ///< an iteration in place of solve() came to its limit; solve() itself ends after finitely many steps
+  not_converged,   ///< an iteration in place of solve() came to its limit; solve() itself ends after finitely many
+                   ///< steps
   not_definite     ///< in floating point a stiffness is not positive definite beside its rigid motions (`body` says
                    ///< which) or the contact holds a rigid motion by rounding only (`body` is −1)
 };
@@ -70,6 +72,12 @@ void set_blas_threads(int count);
 /// \param gap g, m
 /// \param guess rows expected to be active (m entries, or empty: all)
 Solution solve(const std::vector<Body>& bodies, const Eigen::VectorXd& gap, const std::vector<char>& guess = {});
+
+/// What the outcome means, in one line; empty: solved, or not_converged.
+/// \param unknown what was solved for, with which the line begins   \param bodies their names
+/// \param no_equilibrium, contradiction what these outcomes mean for that unknown
+std::string reason(const Solution& solution, const std::string& unknown, const std::vector<std::string>& bodies,
+                   const std::string& no_equilibrium, const std::string& contradiction);
 
 /// Whether forces can be balanced by pressures: p ≥ 0 with Gᵀp = e.
 struct Balance {

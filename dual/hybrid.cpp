@@ -95,7 +95,8 @@ template <int dim> contact::Body assemble(const Problem<dim>& problem, const Lay
     LoadVector load = LoadVector::Zero();
     if (!cell.prescribed.isZero(0)) load -= stiffness * cell.prescribed;
     if (cell.weight)
-      load += half.transpose() * cell.block.compliance.llt().matrixL().solve(cell.weight->coupling) - cell.weight->loads;
+      load +=
+          half.transpose() * cell.block.compliance.llt().matrixL().solve(cell.weight->coupling) - cell.weight->loads;
     for (int i = 0; i < n_loads; ++i)
       if (cell.unknowns[i] >= 0) body.load[cell.unknowns[i]] += load[i];
   }
@@ -114,9 +115,9 @@ ModeVector amplitudes(const Cell& cell, const LoadVector& edges) {
   return cell.block.compliance.llt().solve(right);
 }
 
-/// Takes out what the tractions of the modes lack of continuity and of the given loads: the edge displacements are large
-/// against their differences within a cell, and their rounding is a jump of tractions. Evaluated from the amplitudes the
-/// jump is seen to the rounding of the stresses themselves, and one more solve removes it.
+/// Takes out what the tractions of the modes lack of continuity and of the given loads: the edge displacements are
+/// large against their differences within a cell, and their rounding is a jump of tractions. Evaluated from the
+/// amplitudes the jump is seen to the rounding of the stresses themselves, and one more solve removes it.
 template <int dim>
 void balance_tractions(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
                        const contact::Solution& solution, Amplitudes& amplitude) {
@@ -130,7 +131,8 @@ void balance_tractions(const Problem<dim>& problem, const Layout& layout, const 
       if (cell.unknowns[i] >= 0) r[cell.unknowns[i]] -= tractions[i];
   }
   std::vector<Eigen::VectorXd> correction;
-  for (std::size_t b = 0; b < residual.size(); ++b) correction.push_back(solution.respond(static_cast<int>(b), residual[b]));
+  for (std::size_t b = 0; b < residual.size(); ++b)
+    correction.push_back(solution.respond(static_cast<int>(b), residual[b]));
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
     const Cell cell = make_cell(problem, layout, static_cast<int>(c));
     const LoadVector edges = edge_displacements(cell, correction[problem.mesh.cell_body[c]], LoadVector::Zero());
@@ -145,7 +147,8 @@ Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std
   Amplitudes amplitude(problem.mesh.cells.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
     const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    amplitude[c] = amplitudes(cell, edge_displacements(cell, solution.elastic[problem.mesh.cell_body[c]], cell.prescribed));
+    const Eigen::VectorXd& elastic = solution.elastic[problem.mesh.cell_body[c]];
+    amplitude[c] = amplitudes(cell, edge_displacements(cell, elastic, cell.prescribed));
   }
   for (int step = 0; step < 2; ++step) balance_tractions(problem, layout, loads, solution, amplitude);
   Stress<dim> stress;
@@ -158,32 +161,14 @@ Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std
   return stress;
 }
 
-template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
-  switch (solution.outcome) {
-    case contact::Outcome::solved:
-    case contact::Outcome::not_converged: return "";
-    case contact::Outcome::no_equilibrium:
-      return "stresses: on this mesh no admissible pressure balances the loads (their resultant passes too close to "
-             "the end of a contact line for its edges); refine the mesh there, unless the resultant passes through "
-             "the end itself: then no mesh has such a pressure";
-    case contact::Outcome::contradiction:
-      return "stresses: the gaps and the prescribed displacements contradict each other";
-    case contact::Outcome::not_definite:
-      return "stresses: in floating point " +
-             (solution.body < 0 ? "the contact holds a body by rounding only"
-                                : "the body '" + mesh.bodies[solution.body] + "' is not held") +
-             "; moduli are too unlike or cells too thin";
-  }
-  return "";
-}
-
 }  // namespace
 
 template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
   const Clock clock;
   const Layout layout = lay_out(problem);
   std::vector<contact::Body> bodies;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+    bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
   std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
   for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].load += loads[b];
   set_contact_rows(problem, layout, bodies);
@@ -197,7 +182,12 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vec
   for (const char facet : closed) guess.insert(guess.end(), 2, facet);
   contact::Solution solution = contact::solve(bodies, gap_moments(problem), guess);
   result.outcome = solution.outcome;
-  result.reason = explain(problem.mesh, solution);
+  result.reason = contact::reason(
+      solution, "stresses", problem.mesh.bodies,
+      "on this mesh no admissible pressure balances the loads (their resultant passes too close to the end of a "
+      "contact line for its edges); refine the mesh there, unless the resultant passes through the end itself: then no "
+      "mesh has such a pressure",
+      "the gaps and the prescribed displacements contradict each other");
   result.iterations = solution.iterations;
   result.imbalance = solution.imbalance;
   if (solution.outcome == contact::Outcome::solved) {

@@ -36,8 +36,8 @@ struct UzawaSystem {
 template <int dim> UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const Stress<dim>& particular);
 
 /// The step of the iteration, 1.8 by an estimate of the largest eigenvalue of B A⁻¹ Bᵀ. The iteration converges for
-/// steps below 2 by the eigenvalue, of which 100 steps of the power method miss less than 0.88 ln n / 99 on average over
-/// the start: a tenth for n = 70 000 multipliers [Kuczyński & Woźniakowski, SIAM J. Matrix Anal. Appl. 13 (1992)].
+/// steps below 2 by the eigenvalue, of which 100 steps of the power method miss less than 0.88 ln n / 99 on average
+/// over the start: a tenth for n = 70 000 multipliers [Kuczyński & Woźniakowski, SIAM J. Matrix Anal. Appl. 13 (1992)].
 double uzawa_step(const UzawaSystem& system);
 
 using Parameters = std::vector<ModeVector>;

@@ -151,22 +151,6 @@ Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
   return field;
 }
 
-template <int dim> std::string explain(const scene::Mesh<dim>& mesh, const contact::Solution& solution) {
-  switch (solution.outcome) {
-    case contact::Outcome::solved:
-    case contact::Outcome::not_converged: return "";
-    case contact::Outcome::no_equilibrium: return "displacements: no admissible pressure balances the loads";
-    case contact::Outcome::contradiction:
-      return "displacements: the gaps and the prescribed displacements contradict each other, none is admissible";
-    case contact::Outcome::not_definite:
-      return "displacements: in floating point " +
-             (solution.body < 0 ? "the contact holds a body by rounding only"
-                                : "the body '" + mesh.bodies[solution.body] + "' is not held") +
-             "; moduli are too unlike or cells too thin";
-  }
-  return "";
-}
-
 }  // namespace
 
 template <int dim> void check_prescribed(const Problem<dim>& problem, int degree) {
@@ -194,7 +178,9 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, co
     for (const Row& row : rows) guess.push_back(closed[row.facet]);
   contact::Solution solution = contact::solve(bodies, bounds, guess);
   result.outcome = solution.outcome;
-  result.reason = explain(problem.mesh, solution);
+  result.reason =
+      contact::reason(solution, "displacements", problem.mesh.bodies, "no admissible pressure balances the loads",
+                      "the gaps and the prescribed displacements contradict each other, none is admissible");
   result.iterations = solution.iterations;
   result.imbalance = solution.imbalance;
   if (solution.outcome == contact::Outcome::solved)

@@ -158,6 +158,10 @@ double bounding_box_diagonal(const Mesh<2>& mesh) {
 
 }  // namespace
 
+template <int dim> bool is_loaded(const FacetData<dim>& data) {
+  return data.support == Support::traction && !(data.traction[0].isZero(0) && data.traction[1].isZero(0));
+}
+
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
   static_assert(dim == 2);
   Problem<dim> problem;
@@ -189,6 +193,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   return problem;
 }
 
+template bool is_loaded(const FacetData<2>&);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
 
 }  // namespace bracket::scene

@@ -194,6 +194,8 @@ template <int dim> struct FacetData {
   std::array<Vector<dim>, dim> displacement = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   std::array<double, dim> normal_displacement = {0, 0};  ///< along `normal`
 };
+/// Whether a traction is prescribed on the facet that is not zero.
+template <int dim> bool is_loaded(const FacetData<dim>& data);
 
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
 /// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.

@@ -2,7 +2,6 @@
 #include "tests/apps/command.h"
 
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,14 +16,6 @@
 namespace bracket::apps::tests {
 
 namespace fs = std::filesystem;
-
-Command::Command() {
-  std::string name = (fs::temp_directory_path() / "bracket-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  directory = name;
-}
-
-Command::~Command() { fs::remove_all(directory); }
 
 Ended Command::shell(const std::string& command) const {
   // Outside of the directory, which commands may fill or examine.
@@ -61,10 +52,6 @@ Ended Command::signalled(const std::string& arguments, const std::string& name, 
   fs::remove(out);
   fs::remove(err);
   return ended;
-}
-
-void Command::write(const std::string& name, const std::string& content) const {
-  std::ofstream(directory / name, std::ios::binary) << content;
 }
 
 std::string Command::read(const std::string& name) const {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/folder.h"
+
 namespace bracket::apps::tests {
 
 /// How a command ended and what it said.
@@ -17,20 +19,19 @@ struct Ended {
 
 /// An empty directory of its own for each test, in which commands are run.
 class Command : public testing::Test {
- protected:
-  Command();
-  ~Command() override;
+  bracket::tests::Folder folder_;
 
+ protected:
   /// Runs a shell command in the directory; "bracket" in it stands for the built program.
   Ended shell(const std::string& command) const;
 
   /// Runs the program with `arguments` in the directory and sends it `signal` once the file `name` there has `lines`
   /// lines. The status is minus the signal where that ended it.
   Ended signalled(const std::string& arguments, const std::string& name, int lines, int signal) const;
-  void write(const std::string& name, const std::string& content) const;
+  void write(const std::string& name, const std::string& content) const { folder_.write(name, content); }
   std::string read(const std::string& name) const;  ///< \pre there is such a file
 
-  std::filesystem::path directory;
+  const std::filesystem::path& directory = folder_.path();
 };
 
 /// Arguments that make a scene be refined without end.

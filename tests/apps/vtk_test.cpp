@@ -47,8 +47,8 @@ Plot parse(const std::string& file) {
   if (!std::regex_search(header, piece, std::regex(R"re(NumberOfPoints="(\d+)" NumberOfCells="(\d+)")re")))
     throw std::runtime_error("no piece");
   Plot plot{std::stoi(piece[1]), std::stoi(piece[2]), {}};
-  const std::regex array(
-      R"re(<DataArray type="(\w+)" Name="(\w+)"(?: NumberOfComponents="(\d)")?.* format="appended" offset="(\d+)"/>)re");
+  const std::regex array(R"re(<DataArray type="(\w+)" Name="(\w+)"(?: NumberOfComponents="(\d)")?)re"
+                         R"re(.* format="appended" offset="(\d+)"/>)re");
   std::size_t end = begin;
   for (std::sregex_iterator found(header.begin(), header.end(), array), none; found != none; ++found) {
     const std::smatch& match = *found;

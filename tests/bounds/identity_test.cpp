@@ -12,21 +12,6 @@ namespace {
 using scene::Support;
 using scene::Vector;
 
-/// A scene with everything that has a term of its own in the identity: body force, prescribed displacements, sliding
-/// supports, tractions, a gap that opens and one that overlaps, a wall and a second body.
-scene::Scene<2> everything() {
-  scene::Scene<2> s;
-  s.blocks = {tests::block("lower", 0, 1, 0, 1, 3, 4), tests::block("upper", 0, 1, 1, 2, 3, 2)};
-  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(5, 0.4, true)}};
-  s.bodies["lower"].force = {0.01, -0.05};
-  s.boundary = {{"lower.left", tests::sliding(-0.02)},
-                {"upper.right", tests::fixed(0.01, -0.03)},
-                {"upper.top", tests::traction([](const auto& x) { return 0.01 * x[0]; }, tests::constant(-0.05))}};
-  s.contact = {{"upper.bottom", "lower.top", [](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }, ""},
-               {"lower.bottom", "rigid", [](const auto& x) { return 0.01 * x[0] * x[0]; }, ""}};
-  return s;
-}
-
 /// Adds noise where nothing is prescribed.
 primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Displacement<2> u, double size,
                                   unsigned seed) {
@@ -47,7 +32,7 @@ primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Disp
 }
 
 TEST(GapIdentity, holds_for_any_displacement_that_keeps_the_supports) {
-  const auto problem = tests::problem(everything());
+  const auto problem = tests::problem(tests::everything(3, 4, 2));
   const auto stresses = dual::solve(problem);
   ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
   const double s = complementary_energy(problem, stresses.stress);
@@ -65,7 +50,7 @@ TEST(GapIdentity, holds_for_any_displacement_that_keeps_the_supports) {
 }
 
 TEST(Energies, solutions_are_minima) {
-  const auto problem = tests::problem(everything());
+  const auto problem = tests::problem(tests::everything(3, 4, 2));
   for (const int degree : {1, 2}) {
     const auto u = primal::solve(problem, degree).displacement;
     const double least = potential_energy(problem, u).total;
@@ -80,7 +65,7 @@ TEST(Energies, solutions_are_minima) {
 }
 
 TEST(Indicator, every_share_is_non_negative) {
-  const auto problem = tests::problem(everything());
+  const auto problem = tests::problem(tests::everything(3, 4, 2));
   const auto u = primal::solve(problem, 2).displacement;
   const auto stress = dual::solve(problem).stress;
   const auto shares = indicator(problem, u, stress);

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "tests/bounds/judge_parts.h"
 
@@ -160,6 +161,16 @@ Judged judged(const scene::Problem<2>& problem, const primal::Displacement<2>& d
   result.displacement = exact_displacement(problem, result.field);
   result.stress = exact_stress(problem, result.loads);
   return result;
+}
+
+void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact) {
+  EXPECT_EQ(faults(problem, exact.displacement), std::vector<std::string>{});
+  EXPECT_EQ(faults(problem, exact.stress), std::vector<std::string>{});
+  const Exact l = potential_energy(problem, exact.displacement, exact.stress.added);
+  const Exact s = complementary_energy(problem, exact.stress, exact.displacement);
+  EXPECT_LE(Exact(certificate.lower), -s);
+  EXPECT_GE(Exact(certificate.upper), l);
+  EXPECT_EQ(l + s, distance(problem, exact.stress, exact.displacement));
 }
 
 }  // namespace bracket::bounds

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bounds/bounds.h"
 #include "bounds/equilibrate.h"
 #include "tests/bounds/rational.h"
 
@@ -51,5 +52,8 @@ struct Judged {
 /// \pre its certificate is valid
 Judged judged(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
               const dual::Stress<2>& stress);
+
+/// Expects the fields to be admissible, the certificate to contain their energies, and the gap identity.
+void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact);
 
 }  // namespace bracket::bounds

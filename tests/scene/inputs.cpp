@@ -4,26 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <set>
 
 namespace bracket::scene::test {
-
-Folder::Folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "bracket-scene-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-Folder::~Folder() { std::filesystem::remove_all(path_); }
-
-std::filesystem::path Folder::write(const std::string& name, const std::string& text) const {
-  std::filesystem::remove(path_ / name);  // some file systems wait for the disk when a file is written over
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return path_ / name;
-}
 
 std::optional<Error> error_of(const std::function<void()>& action) {
   try {

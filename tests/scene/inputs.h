@@ -5,24 +5,12 @@
 #include <optional>
 
 #include "scene/scene.h"
+#include "tests/support/folder.h"
 
 /// Files and scenes for the tests of this folder.
 namespace bracket::scene::test {
 
-/// A folder that is there as long as the object is.
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  /// Writes a file into it. \return its path
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using bracket::tests::Folder;
 
 /// The Error that an action throws, if it does; anything else it throws goes through.
 std::optional<Error> error_of(const std::function<void()>& action);

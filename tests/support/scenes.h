@@ -71,6 +71,21 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
   return s;
 }
 
+/// A scene with everything that has a term of its own in the energies: body force, prescribed displacements, sliding
+/// supports, tractions, a gap that opens and one that overlaps, a wall and a second body.
+inline scene::Scene<2> everything(int nx, int ny_lower, int ny_upper) {
+  scene::Scene<2> s;
+  s.blocks = {block("lower", 0, 1, 0, 1, nx, ny_lower), block("upper", 0, 1, 1, 2, nx, ny_upper)};
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(5, 0.4, true)}};
+  s.bodies["lower"].force = {0.01, -0.05};
+  s.boundary = {{"lower.left", sliding(-0.02)},
+                {"upper.right", fixed(0.01, -0.03)},
+                {"upper.top", traction([](const auto& x) { return 0.01 * x[0]; }, constant(-0.05))}};
+  s.contact = {{"upper.bottom", "lower.top", [](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }, ""},
+               {"lower.bottom", "rigid", [](const auto& x) { return 0.01 * x[0] * x[0]; }, ""}};
+  return s;
+}
+
 /// The Airy stress x² y², i.e. σ = (2x², 2y², −4xy), on the unit square: its tractions are linear on each side, and it
 /// is compatible in an orthotropic material with S66 = −2 S12. Quadratic stress, cubic displacement: in neither space,
 /// with data that every mesh carries exactly. L(u) = −½ ∫ σ : C⁻¹ σ = −½ (8/5 + (8 S12 + 16 S66)/9) = −1.2.
