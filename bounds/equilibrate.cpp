@@ -2,6 +2,7 @@
 #include "bounds/equilibrate.h"
 
 #include <algorithm>
+#include <set>
 
 #include "bounds/fields.h"
 
@@ -100,7 +101,7 @@ namespace {
 struct Candidate {
   Reaction reaction;
   double weight;
-  bool is_open = false;  ///< a pressure of zero, which may rise
+  int open_pair = -1;  ///< of a pressure of zero, which may rise
 };
 
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
@@ -128,7 +129,7 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
       const double p = loads.along_normal[pair.first][end];
       result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second},
                         p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing,
-                        p == 0});
+                        p == 0 ? pair.pair : -1});
     }
   return result;
 }
@@ -141,10 +142,13 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vec
   const auto is_barred = [&](const Candidate& candidate) {
     return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
   };
-  // Where one pressure of zero would have to be tension, or might, the others are not tried one by one.
-  const bool none_open =
-      std::any_of(all.begin(), all.end(), [&](const Candidate& one) { return one.is_open && is_barred(one); });
-  std::erase_if(all, [&](const Candidate& one) { return is_barred(one) || (none_open && one.is_open); });
+  // Where one pressure of zero would have to be tension, or might, the others of its pair are not tried one by one.
+  std::vector<int> barred_pairs;
+  for (const Candidate& one : all)
+    if (one.open_pair >= 0 && is_barred(one)) barred_pairs.push_back(one.open_pair);
+  std::erase_if(all, [&](const Candidate& one) {
+    return is_barred(one) || std::find(barred_pairs.begin(), barred_pairs.end(), one.open_pair) != barred_pairs.end();
+  });
   const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -157,6 +161,16 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vec
   for (Eigen::Index k = 0; k < n && std::abs(qr.matrixQR()(k, k)) > 1e-11; ++k)
     chosen.push_back(all[qr.colsPermutation().indices()[k]].reaction);
   return chosen;
+}
+
+bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads) {
+  std::set<int> pairs;
+  for (const auto& facet : problem.contact)
+    for (const Reaction& one : barred)
+      if (one.facet == facet.first && loads.along_normal[facet.first][one.which] > 0) pairs.insert(facet.pair);
+  for (const auto& facet : problem.contact)
+    if (pairs.contains(facet.pair)) loads.along_normal[facet.first] = {0, 0};
+  return !pairs.empty();
 }
 
 std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Reference>& references) {

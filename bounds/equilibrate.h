@@ -38,6 +38,9 @@ std::vector<Reference> references(const scene::Mesh<2>& mesh);
 std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                                 const PlainLoads& loads, const std::vector<Reaction>& barred);
 
+/// Takes all pressures off the pairs of which one that is not zero is barred. \return false where there are none
+bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads);
+
 /// A cell in its body's tree of cells.
 struct Branch {
   int cell;
@@ -213,17 +216,22 @@ Loads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Refe
 
 /// Loads that balance every cell exactly: reactions hold the bodies as wholes, then cells hand on what they lack.
 template <class Number, class Sum>
-Balanced<Number> balanced(const scene::Problem<2>& problem, const PlainLoads& given) {
+Balanced<Number> balanced(const scene::Problem<2>& problem, PlainLoads given) {
   const std::vector<Reference> about = references(problem.mesh);
   Loads<Number> loads;
-  // A pressure that is rounding itself may be too small to take what is missing: then another has to.
+  // A pressure that is rounding itself may be too small to take what is missing: then another has to. Where none can,
+  // all of its pair are rounding.
   constexpr std::size_t most = 20;
   std::vector<Reaction> barred;
   while (true) {
     const std::vector<Reaction> chosen = reactions(problem, about, given, barred);
     loads = loads_of<Number>(problem, given);
-    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads))
-      return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
+    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads)) {
+      if (!drop_barred_pairs(problem, barred, given))
+        return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
+      barred.clear();
+      continue;
+    }
     const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
     if (!tension) break;
     barred.push_back(*tension);
