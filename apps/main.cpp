@@ -8,8 +8,8 @@
 #include <iostream>
 #include <new>
 
-#include "apps/commands.h"
-#include "apps/version.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/version.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/particular.h"
 
-#include "bounds/equilibrate.h"
+#include "bounds/certificate/equilibrate.h"
 
 namespace bracket::bounds {
 

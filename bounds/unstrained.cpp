@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bounds/fields.h"
+#include "bounds/estimate/on_mesh.h"
 
 namespace bracket::bounds {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bounds/bounds.h"
-#include "tests/bounds/exact_scenes.h"
+#include "tests/bounds/certificate/exact_scenes.h"
 
 /// The certificate at moduli, Poisson's ratios and units far from 1.
 namespace bracket::bounds {

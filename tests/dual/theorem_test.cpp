@@ -6,13 +6,12 @@
 #include <numbers>
 #include <random>
 
-#include "apps/paper_blocks.h"
+#include "dual/block_theory.h"
 
 /// Theorems 2.1 and 2.2 of HH81, block by block.
-namespace bracket::apps {
+namespace bracket::dual {
 namespace {
 
-using dual::Triangle;
 using scene::Vector;
 using scene::Voigt;
 
@@ -75,7 +74,7 @@ Eigen::Matrix<double, 3, 12> equilibrium(const Triangle& t) {
   return rows;
 }
 
-double largest(const dual::Corners& stress) {
+double largest(const Corners& stress) {
   double size = 0;
   for (const auto& s : stress) size = std::max(size, s.cwiseAbs().maxCoeff());
   return size;
@@ -84,7 +83,7 @@ double largest(const dual::Corners& stress) {
 /// The largest |τ| of the block over all vertices of { T in equilibrium, |T| ≤ 1 }: nine components at ±1, three free.
 double largest_over_vertices(const Triangle& t) {
   const auto rows = equilibrium(t);
-  std::array<dual::Corners, 12> unit;
+  std::array<Corners, 12> unit;
   for (int i = 0; i < 12; ++i) unit[i] = stress_by_tractions(t, SideTractions::Unit(i));
   double most = 0;
   for (int i = 0; i < 12; ++i)
@@ -120,7 +119,7 @@ TEST(StressByLoads, HasTheLoadsAsItsTractions) {  // Theorem 2.1
     SideTractions load;
     for (double& value : load) value = uniform(random);
     load -= rows.transpose() * (rows * rows.transpose()).ldlt().solve(rows * load);
-    const dual::Corners stress = stress_by_tractions(t, load);
+    const Corners stress = stress_by_tractions(t, load);
     for (int e = 0; e < 3; ++e)
       for (int end = 0; end < 2; ++end)
         EXPECT_LT((traction(stress[3 * e + end], outward(t, e)) - load.segment<2>(4 * e + 2 * end)).norm(),
@@ -170,7 +169,7 @@ TEST(Interpolation, KeepsStressesOfTheBlock) {
     return Voigt<2>(1 + 2 * x[0] - 3 * x[1], -2 + 5 * x[0] + 4 * x[1], 0.5 - 4 * x[0] - 2 * x[1]);
   };
   for (const Triangle& t : triangles()) {
-    const dual::Corners corners = interpolate(t, stress);
+    const Corners corners = interpolate(t, stress);
     // The loads, of size 10, are rounded; the stress by them is up to the constant larger.
     const double rounding = 1000 * eps * stress_by_load_constant(t);
     const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
@@ -189,7 +188,7 @@ TEST(Interpolation, KeepsTheMomentsOfTheTractions) {
                     18 * x[0] * x[1] * x[1] - 4 * std::pow(x[1], 3));
   };
   for (const Triangle& t : triangles()) {
-    const dual::Corners corners = interpolate(t, stress);
+    const Corners corners = interpolate(t, stress);
     const double rounding = 1000 * eps * stress_by_load_constant(t);
     for (int e = 0; e < 3; ++e) {
       const Vector<2> a = t[(e + 1) % 3], b = t[(e + 2) % 3], n = outward(t, e);
@@ -209,7 +208,7 @@ TEST(Interpolation, DistanceIsThatOfTheCorners) {
   // A block's own stress against zero: ∫ |τ|² by its corners; the squares' distance takes it by Gauss points.
   for (const Triangle& t : triangles()) {
     const Voigt<2> stress(1, -2, 0.5);
-    dual::Corners zero;
+    Corners zero;
     zero.fill(Voigt<2>::Zero());
     const Vector<2> u = t[1] - t[0], v = t[2] - t[0];
     const double area = (u[0] * v[1] - u[1] * v[0]) / 2;
@@ -220,4 +219,4 @@ TEST(Interpolation, DistanceIsThatOfTheCorners) {
 }
 
 }  // namespace
-}  // namespace bracket::apps
+}  // namespace bracket::dual

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "scene/projection.h"
+#include "scene/problem/projection.h"
 #include "tests/scene/inputs.h"
 
 namespace bracket::scene {

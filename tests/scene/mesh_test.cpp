@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "scene/topology.h"
+#include "scene/mesh/topology.h"
 #include "tests/scene/inputs.h"
 
 namespace bracket::scene {

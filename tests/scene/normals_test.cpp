@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/normals.h"
+#include "scene/problem/normals.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "scene/topology.h"
+#include "scene/mesh/topology.h"
 #include "tests/scene/inputs.h"
 
 namespace bracket::scene::test {

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/topology.h"
+#include "scene/mesh/topology.h"
 #include "tests/support/random_grid.h"
 
 namespace bracket::tests {

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "apps/plots/picture.h"
+
+namespace bracket::apps {
+
+/// `folder`, or where it is empty the scene's stem + `ending` in the current directory.
+std::filesystem::path results_folder(const std::filesystem::path& folder, const std::filesystem::path& scene,
+                                     const std::string& ending);
+
+/// Makes `folder` ready for the results of a run: creates it, or clears it of the files that an earlier run wrote there
+/// (a folder of results lists them in its file `.bracket`).
+/// \throw scene::Error (input) if it is not a folder, holds files but no `.bracket`, or cannot be written
+void prepare_folder(const std::filesystem::path& folder);
+
+/// Writes a file of results, under another name first, so that it is there as a whole or not at all.
+/// \pre prepare_folder(folder)
+/// \throw scene::Error (input) if it cannot be written
+void write_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
+
+/// Draws a picture and writes it as SVG; where that cannot be, a note on standard error says why.
+/// \throw as write_file()
+void write_picture(const std::filesystem::path& folder, const Picture& picture);
+
+}  // namespace bracket::apps

@@ -1,0 +1,145 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <utility>
+
+#include "apps/commands/commands.h"
+#include "apps/commands/folder.h"
+#include "apps/commands/interrupt.h"
+#include "apps/plots/pictures.h"
+#include "apps/commands/progress.h"
+#include "apps/report/vtk.h"
+#include "contact/clock.h"
+
+namespace bracket::apps {
+namespace {
+
+/// Keeps the folder of results up to date while a run is going on: it tells of `around.size()` levels.
+struct Results {
+  const scene::Scene<2>& scene;
+  std::filesystem::path folder;
+  Clock clock;      // of the command
+  double read = 0;  // seconds
+  std::vector<LevelSeconds> around = {};
+};
+
+Report report(const Results& results, const bounds::Outcome<2>& outcome) {
+  return {.scene = results.scene,
+          .outcome = outcome,
+          .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+          .read = results.read,
+          .around = results.around,
+          .missing = {}};
+}
+
+// The fields of the last level, and the collection of all.
+void write_fields(const std::filesystem::path& folder, const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  const int level = static_cast<int>(outcome.levels.size()) - 1;
+  const bool contact = !outcome.problem.contact.empty();
+  write_file(folder, fmt::format("solution_{}.vtu", level),
+             solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator));
+  if (contact)
+    write_file(folder, fmt::format("contact_{}.vtu", level),
+               contact_vtu(outcome.problem, report.contact, outcome.indicator));
+  write_file(folder, "solution.pvd", collection_pvd(level + 1, contact));
+}
+
+void write_level(Results& results, const bounds::Outcome<2>& outcome) {
+  results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
+  const Clock clock;
+  Report so_far = report(results, outcome);
+  so_far.running = true;
+  write_fields(results.folder, so_far);
+  write_file(results.folder, "history.csv", history_csv(so_far));
+  so_far.around.back().write = results.around.back().write = clock.seconds();
+  write_file(results.folder, "report.json", report_json(so_far));
+}
+
+bounds::Outcome<2> solve(Results& results, bool show_progress) {
+  const Interrupt interrupt;
+  const Progress progress(show_progress);
+  std::stop_source stop;
+  bounds::Observer<2> observer;
+  observer.stop = stop.get_token();
+  observer.stage = [&](const std::string& stage) {
+    progress.show(stage);
+    if (interrupt.requested()) stop.request_stop();
+  };
+  observer.level = [&](const bounds::Outcome<2>& so_far) {
+    progress.show("writing");
+    write_level(results, so_far);
+    if (interrupt.requested()) stop.request_stop();
+  };
+  return bounds::run(results.scene, observer);
+}
+
+/// Draws the pictures and writes them and report.html; tells the report what is missing.
+void write_pictures(const Results& results, Report& report, bool png) {
+  const Clock clock;
+  Drawings drawings;
+  if (report.outcome.guarantee != "none") drawings = draw(pictures(report), png);
+  for (const Drawing& drawing : drawings.drawn) {
+    write_file(results.folder, drawing.name + ".svg", drawing.svg);
+    if (!drawing.png.empty()) write_file(results.folder, drawing.name + ".png", drawing.png);
+  }
+  report.missing = std::move(drawings.missing);
+  report.pictures = clock.seconds();
+  write_file(results.folder, "report.html", report_html(report, drawings.drawn));
+}
+
+void print_notes(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print(stderr, "note: {}\n", line);
+}
+
+std::string emphasised(std::string line) {
+  const bool colour = isatty(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+  if (!colour) return line;
+  line.insert(line.size() - 1, "\033[0m");  // before the end of the line
+  return "\033[1m" + line;
+}
+
+std::string where(const std::filesystem::path& folder, bool with_pictures) {
+  return fmt::format("Report: {}{}, for ParaView: {}\n", with_pictures ? (folder / "report.html").string() + ", " : "",
+                     (folder / "report.json").string(), (folder / "solution.pvd").string());
+}
+
+}  // namespace
+
+Ending run(const RunOptions& options) {
+  const Clock clock;
+  const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
+  Results results{.scene = scene,
+                  .folder = results_folder(options.folder, options.scene, ".out"),
+                  .clock = clock,
+                  .read = clock.seconds()};
+  prepare_folder(results.folder);  // before the work, so that a folder that cannot be used is known at once
+
+  const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
+  if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
+  if (results.around.size() < outcome.levels.size())
+    write_level(results, outcome);  // of a level that failed its checks
+  Report report = apps::report(results, outcome);
+  if (options.pictures) write_pictures(results, report, options.png);
+  const std::string json = report_json(report);
+  write_file(results.folder, "history.csv", history_csv(report));
+  write_file(results.folder, "report.json", json);
+
+  if (!options.quiet) {
+    print_notes(outcome.problem.mesh.notes);
+    print_notes(report.missing);
+  }
+  if (options.json) {
+    std::cout << json;
+  } else {
+    std::cout << emphasised(headline(report));
+    if (!options.quiet) std::cout << report_text(report) << where(results.folder, options.pictures);
+  }
+  return {outcome.status, outcome.reason};
+}
+
+}  // namespace bracket::apps

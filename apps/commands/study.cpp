@@ -1,0 +1,75 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/studies/study.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+#include "apps/commands/commands.h"
+#include "apps/commands/folder.h"
+#include "apps/commands/interrupt.h"
+#include "apps/commands/progress.h"
+#include "contact/clock.h"
+
+namespace bracket::apps {
+namespace {
+
+void write_tables(const std::filesystem::path& folder, const scene::Scene<2>& scene, const std::vector<Series>& all) {
+  write_file(folder, "study.csv", study_csv(all));
+  write_file(folder, "study.json", study_json(scene, all));
+}
+
+}  // namespace
+
+Ending study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+             const std::filesystem::path& given_folder) {
+  scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
+  scene.refine.target = 0;
+  const std::filesystem::path folder = results_folder(given_folder, file, ".study");
+  prepare_folder(folder);
+
+  std::vector<Series> all;
+  const auto solve = [&](const Interrupt& interrupt, const Progress& progress) {
+    Series& series = all.emplace_back(scene.refine.strategy, scene.solve.degree);
+    const Clock clock;
+    std::stop_source stop;
+    bounds::Observer<2> observer;
+    observer.stop = stop.get_token();
+    observer.stage = [&](const std::string& stage) {
+      progress.show(fmt::format("{}, degree {}: {}", series.strategy, series.degree, stage));
+      if (interrupt.requested()) stop.request_stop();
+    };
+    observer.level = [&](const bounds::Outcome<2>& so_far) {
+      series.levels.push_back(so_far.levels.back());
+      series.elapsed.push_back(clock.seconds());
+      write_tables(folder, scene, all);
+      if (interrupt.requested()) stop.request_stop();
+    };
+    const bounds::Outcome<2> outcome = bounds::run(scene, observer);
+    series.end = outcome.reason;
+    if (series.end.empty()) series.end = outcome.relative_error_bound == 0 ? "exact" : "budget spent";
+    return Ending{outcome.status, fmt::format("{}, degree {}: {}", series.strategy, series.degree, series.end)};
+  };
+
+  Ending ending;
+  {
+    const Interrupt interrupt;
+    const Progress progress(isatty(STDERR_FILENO));
+    for (const char* strategy : {"uniform", "adaptive"})
+      for (const int degree : {1, 2}) {
+        if (interrupt.requested()) continue;
+        scene.refine.strategy = strategy;
+        scene.solve.degree = degree;
+        const Ending ended = solve(interrupt, progress);
+        if (ending.status != scene::Status::not_guaranteed && ended.status != scene::Status::done) ending = ended;
+      }
+  }
+  write_tables(folder, scene, all);
+  std::cout << study_text(all);
+  if (has_picture(all)) write_picture(folder, study_picture(all));
+  std::cout << fmt::format("Tables and plot: {}\n", folder.string());
+  return ending;
+}
+
+}  // namespace bracket::apps

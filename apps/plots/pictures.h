@@ -1,0 +1,45 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/plots/picture.h"
+#include "apps/report/report.h"
+
+namespace bracket::apps {
+
+/// Those of a run that have something to show: closing and error with two levels or more, contact with a contact.
+/// \pre a guarantee, the run has ended
+std::vector<Picture> pictures(const Report& report);
+
+Picture closing_picture(const Report& report);  ///< the bounds about the middle of the final bracket, against cells
+Picture error_picture(const Report& report);    ///< the guaranteed relative error against cells and seconds
+Picture mesh_picture(const Report& report);     ///< the mesh coloured by the density of the indicator
+Picture stress_picture(const Report& report);   ///< the deformed bodies coloured by a stress
+Picture contact_picture(const Report& report);  ///< pressures and gap along each contact line
+
+/// A point of a curve on logarithmic axes.
+struct Sample {
+  double cells;
+  double error;
+};
+/// The observed order: the slope of log error by log cells, least squares over the last half of the samples (at least
+/// two). NaN where they do not say.
+double observed_order(const std::vector<Sample>& samples);
+
+/// Colours that every picture uses: dark blue for stresses and lower bounds, orange for displacements and upper bounds.
+inline constexpr const char* stress_colour = "#1f5a94";
+inline constexpr const char* displacement_colour = "#d95f0e";
+
+/// Lines that set up axes as all pictures have them.
+std::string plot_style();
+
+/// gnuplot's label for the units of a scene, in the lower right corner; empty without units.
+std::string units_label(const std::string& units);
+
+/// Lines that make the axis "x" or "y" logarithmic, wide enough for all values, none of them on its ends.
+/// \pre at least one value, all > 0
+std::string log_axis(const std::string& axis, const std::vector<double>& values);
+
+}  // namespace bracket::apps

@@ -1,0 +1,155 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/plots/pictures.h"
+
+namespace bracket::apps {
+namespace {
+
+/// A distance as a height: decades above `floor`, upwards for positive ones. Linear below, so that zero has a place.
+double height(double distance, double floor) {
+  const double ratio = std::abs(distance) / floor;
+  return std::copysign(ratio < 1 ? ratio : 1 + std::log10(ratio), distance);
+}
+
+// A tick at each decade, or at each second one where they are many; above and below zero alike.
+std::string decade_tics(int lowest, int highest) {
+  const int step = 1 + (highest - lowest) / 6;
+  std::string tics = "\"0\" 0";
+  for (int decade = lowest; decade <= highest; decade += step)
+    tics += fmt::format(", \"+10^{{{0}}}\" {1}, \"−10^{{{0}}}\" -{1}", decade, decade - lowest + 1);
+  return fmt::format("set ytics ({})\n", tics);
+}
+
+std::string error_panel(const char* label, const std::vector<double>& x, const std::vector<double>& error) {
+  std::string script = log_axis("x", x) + log_axis("y", error) +
+                       fmt::format("set xlabel '{}'\nplot '-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' notitle\n",
+                                   label, stress_colour);
+  for (std::size_t i = 0; i < x.size(); ++i) script += fmt::format("{} {}\n", x[i], error[i]);
+  return script + "e\n";
+}
+
+}  // namespace
+
+double observed_order(const std::vector<Sample>& samples) {
+  const std::size_t first =
+      samples.size() - std::min(samples.size(), std::max<std::size_t>(2, (samples.size() + 1) / 2));
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t i = first; i < samples.size(); ++i) {
+    const double a = std::log(samples[i].cells), b = std::log(samples[i].error);
+    n += 1, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::string plot_style() {
+  return "set border lw 0.8 lc rgb '#666666'\nset grid lw 0.6 lt 1 lc rgb '#dddddd'\nset tics textcolor rgb '#222222'\n"
+         "set key outside top left horizontal Left reverse samplen 2 spacing 1.15\n";
+}
+
+std::string units_label(const std::string& units) {
+  if (units.empty()) return "";
+  return fmt::format(
+      "set label 999 {} at screen 0.995, screen 0.022 right noenhanced font ',11' textcolor rgb '#666666'\n",
+      quoted("units: " + units));
+}
+
+std::string log_axis(const std::string& axis, const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double from = *low / 1.6, to = *high * 1.6;
+  std::string text = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, from, to);
+  if (to > 30 * from) return text + fmt::format("set format {0} '10^{{%L}}'\nset {0}tics autofreq\n", axis);
+  std::string tics;  // decades alone would be few
+  const std::vector<int> digits = to > 6 * from ? std::vector<int>{1, 2, 5} : std::vector<int>{1, 2, 3, 4, 6, 8};
+  for (double decade = std::pow(10, std::floor(std::log10(from))); decade <= to; decade *= 10)
+    for (const int digit : digits) tics += fmt::format("{}{:g}", tics.empty() ? "" : ", ", digit * decade);
+  return text + fmt::format("set format {0} '%g'\nset {0}tics ({1})\n", axis, tics);
+}
+
+Picture closing_picture(const Report& report) {
+  const bounds::Outcome<2>& run = report.outcome;
+  const double middle = run.lower + (run.upper - run.lower) / 2;
+  const double size = std::max(std::abs(run.lower), std::abs(run.upper));
+  double smallest = (run.upper - run.lower) / 2 / size, largest = 0;
+  smallest = std::max(smallest, 1e-16);  // of an exact solution only rounding is left
+  for (const bounds::Level& level : run.levels)
+    largest = std::max({largest, (level.bracket.upper - middle) / size, (middle - level.bracket.lower) / size});
+  largest = std::max(largest, smallest);
+  const int lowest = static_cast<int>(std::floor(std::log10(smallest)));
+  const int highest = static_cast<int>(std::ceil(std::log10(largest)));
+  const double floor = std::pow(10, lowest);
+
+  std::vector<double> cells;
+  std::string band, lower, upper;
+  double best_lower = -INFINITY, best_upper = INFINITY;
+  for (const bounds::Level& level : run.levels) {
+    best_lower = std::max(best_lower, level.bracket.lower);
+    best_upper = std::min(best_upper, level.bracket.upper);
+    const auto at = [&](double energy) { return height((energy - middle) / size, floor); };
+    band += fmt::format("{} {} {}\n", level.cells, at(best_lower), at(best_upper));
+    lower += fmt::format("{} {}\n", level.cells, at(level.bracket.lower));
+    upper += fmt::format("{} {}\n", level.cells, at(level.bracket.upper));
+    cells.push_back(level.cells);
+  }
+  const double top = highest - lowest + 1.5;
+  return {"closing",
+          "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances from "
+          "the middle of the final interval, "
+          "by the size of the energy. The exact energy lies in the shaded band, the intersection of the levels' "
+          "intervals.",
+          640, 420,
+          plot_style() + decade_tics(lowest, highest) + log_axis("x", cells) +
+              fmt::format("set yrange [-{}:{}]\n"
+                          "set xlabel 'cells'\nset ylabel 'distance by size of the energy'\n"
+                          "plot '-' with filledcurves fc rgb '#cfe0ee' title 'energy', "
+                          "0 with lines lw 0.8 lc rgb '#999999' notitle, "
+                          "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'upper bound', "
+                          "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'lower bound'\n"
+                          "{}e\n{}e\n{}e\n",
+                          top, top, displacement_colour, stress_colour, band, upper, lower)};
+}
+
+Picture error_picture(const Report& report) {
+  std::vector<double> cells, seconds, errors;
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    const double error = level.bracket.relative_error_bound;
+    if (!std::isfinite(error) || error <= 0) continue;
+    cells.push_back(level.cells);
+    seconds.push_back(report.around[i].elapsed);
+    errors.push_back(error);
+    samples.push_back({cells.back(), error});
+  }
+  const double order = observed_order(samples);
+  std::string caption =
+      "The guaranteed relative error of both fields in the energy norm, against cells and against the seconds since "
+      "the "
+      "start.";
+  if (std::isfinite(order))
+    caption += fmt::format(" Over the last half of the levels it goes like cells to the power {:.2f}.", order);
+  return {"error", std::move(caption), 640, 420,
+          plot_style() + "set multiplot layout 1,2\nset ylabel 'guaranteed relative error'\n" +
+              error_panel("cells", cells, errors) + "unset ylabel\n" + error_panel("seconds", seconds, errors) +
+              "unset multiplot\n"};
+}
+
+std::vector<Picture> pictures(const Report& report) {
+  const auto& levels = report.outcome.levels;
+  std::vector<Picture> result;
+  if (levels.size() > 1) result.push_back(closing_picture(report));
+  const auto known = [](const bounds::Level& level) {
+    return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
+  };
+  if (std::ranges::count_if(levels, known) > 1) result.push_back(error_picture(report));
+  result.push_back(mesh_picture(report));
+  result.push_back(stress_picture(report));
+  if (!report.outcome.problem.contact.empty()) result.push_back(contact_picture(report));
+  return result;
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,25 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/report/report.h"
+
+/// Pieces of report.html. Every text that is not the program's own goes through escaped().
+namespace bracket::apps {
+
+/// A text as HTML shows it, whatever it holds.
+std::string escaped(const std::string& text);
+
+/// A table; cells are HTML. The first `n_names` columns are set left, the others right, as numbers.
+std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                       int n_names);
+
+/// The scene as it was understood, all defaults filled in: bodies, boundary, contact, refinement, solution.
+std::string html_scene(const Report& report);
+
+/// The style sheet.
+extern const char* const html_style;
+
+}  // namespace bracket::apps

@@ -1,0 +1,17 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "apps/report/report.h"
+
+namespace bracket::apps {
+
+/// What every file of results begins with: schema, program and, where there is one, the scene.
+nlohmann::ordered_json heading();
+nlohmann::ordered_json heading(const scene::Scene<2>& scene);
+
+/// A level as report.json and study.json tell it.
+nlohmann::ordered_json level_json(const bounds::Level& level, const LevelSeconds& around);
+
+}  // namespace bracket::apps

@@ -1,0 +1,49 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/plots/picture.h"
+#include "bounds/bounds.h"
+
+namespace bracket::apps {
+
+/// Seconds of wall clock around one level, as the command measured them.
+struct LevelSeconds {
+  double elapsed = 0;  ///< from the start of the command until the level was estimated
+  double write = 0;    ///< to write its fields
+};
+
+/// What a run has found so far, in the forms in which it is told. Numbers in them read back to the same double.
+struct Report {
+  const scene::Scene<2>& scene;
+  const bounds::Outcome<2>& outcome;          ///< \pre at least one level
+  std::vector<bounds::ContactState> contact;  ///< as Problem::contact
+  bool running = false;                       ///< more levels may follow
+  double read = 0;                            ///< seconds to read the scene file
+  std::vector<LevelSeconds> around;           ///< as Outcome::levels
+  double pictures = 0;                        ///< seconds to draw them
+  std::vector<std::string> missing;           ///< what could not be drawn, and why, one line each
+};
+
+/// The width of the run's bracket by the larger of its bounds' sizes.
+double relative_width(const bounds::Outcome<2>& outcome);
+
+/// report.json: the fields of the report, schema 1. A number that is not finite is null.
+std::string report_json(const Report& report);
+
+/// history.csv: a line of names, then a line per level.
+std::string history_csv(const Report& report);
+
+/// One line: the interval of the energy, its width by its size, and the guaranteed relative error (both rounded up); or
+/// that there is no guarantee, and why.
+std::string headline(const Report& report);
+
+/// All that follows the headline on the terminal: levels and what they cost, contact, checks, data, what was left out.
+std::string report_text(const Report& report);
+
+/// report.html: the same for people, with the pictures, in one file that refers to no other.
+std::string report_html(const Report& report, const std::vector<Drawing>& drawings);
+
+}  // namespace bracket::apps

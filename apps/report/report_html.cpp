@@ -1,0 +1,186 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/html.h"
+#include "apps/report/numbers.h"
+#include "apps/report/report.h"
+
+namespace bracket::apps {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// The digits that both bounds share are known; the others are not.
+std::string bound(const std::string& own, const std::string& other) {
+  const auto differ = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first;
+  return fmt::format("<b>{}</b><span class=\"open\">{}</span>", std::string(own.begin(), differ),
+                     std::string(differ, own.end()));
+}
+
+std::string ending(const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  if (outcome.status == scene::Status::budget) return "budget spent: " + escaped(outcome.reason);
+  return report.scene.refine.target > 0 ? fmt::format("the target of {:g} is reached", report.scene.refine.target)
+                                        : "done; no target was asked";
+}
+
+std::string answer(const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  if (outcome.guarantee == "none")
+    return "<section class=\"answer none\"><p><b>No guaranteed bounds:</b> " + escaped(outcome.reason) +
+           ". The plain values of this run are in report.json.</p></section>\n";
+  const std::string lower = fmt::to_string(outcome.lower), upper = fmt::to_string(outcome.upper);
+  return fmt::format(
+      "<section class=\"answer\">\n<dl class=\"bounds\"><dt>energy at least</dt><dd>{}</dd>"
+      "<dt>energy at most</dt><dd>{}</dd></dl>\n"
+      "<div class=\"facts\"><div>relative width <b>{}</b></div><div>guaranteed relative error of both fields "
+      "<b>{}</b></div><div>{} cells after {} level{}</div><div>{}</div></div>\n</section>\n",
+      bound(lower, upper), bound(upper, lower), rounded_up_exponent(relative_width(outcome)),
+      percent(outcome.relative_error_bound), outcome.levels.back().cells, outcome.levels.size(),
+      outcome.levels.size() == 1 ? "" : "s", ending(report));
+}
+
+std::string scope(const Report& report) {
+  const scene::Oscillation& data = report.outcome.problem.oscillation;
+  const double moved = std::max({data.traction, data.displacement, data.gap});
+  const bool exact = moved < 1e-13;
+  const std::string fixed_data =
+      exact ? "<li>The given functions are carried exactly by the mesh.</li>\n"
+            : fmt::format(
+                  "<li>The bounds hold for the given functions as they are fixed on the edges of the first mesh, "
+                  "which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of their largest "
+                  "values, and the energy by about {:.1e}.</li>\n",
+                  data.traction, data.displacement, data.gap, report.outcome.levels.back().oscillation_energy);
+  return fmt::format(
+      "<h2>What this says, and what it does not</h2>\n<div class=\"scope\"><div><h3>Guaranteed</h3><ul>\n"
+      "<li>The potential energy of the exact elastic solution, for the data as the mesh carries them, lies between the "
+      "two bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower "
+      "one is minus the complementary energy of stresses in exact equilibrium that never pull across the "
+      "contact.</li>\n"
+      "<li>Displacements and stresses are each within {} of the exact ones in the energy norm, {} of its size: the "
+      "square root of twice the width, with no unknown constant.</li>\n"
+      "<li>This holds in floating point, whatever the solvers did (guarantee: {}): code that shares nothing with them "
+      "moved the displacements out of contact and the stresses into balance exactly, and enclosed every rounding error "
+      "of both energies.</li>\n{}</ul></div><div><h3>Not guaranteed</h3><ul>\n"
+      "{}"
+      "<li>The bodies are the triangles of the mesh, coordinates as they are rounded; sides whose directions differ by "
+      "less than 1e-6 are taken as parallel.</li>\n"
+      "<li>Friction, large displacements, curved edges and material laws other than linear elasticity are outside of "
+      "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
+      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
+      percent(report.outcome.relative_error_bound), report.outcome.guarantee, exact ? fixed_data : "",
+      exact ? "" : fixed_data);
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+// A drawing as an element of the page, where the names in it must not meet those of another.
+std::string inlined(const Drawing& drawing) {
+  std::string svg = drawing.svg.substr(drawing.svg.find("<svg"));
+  for (const char* reference : {"id='", "id=\"", "href='#", "url(#"})
+    replace_all(svg, reference, reference + drawing.name + "-");
+  replace_all(svg, "<title>Gnuplot</title>", "");
+  const std::string kind = drawing.wide ? "<figure class=\"wide\">" : "<figure>";
+  return kind + svg + "<figcaption>" + escaped(drawing.caption) + "</figcaption></figure>\n";
+}
+
+std::string pictures(const Report& report, const std::vector<Drawing>& drawings) {
+  std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n";
+  for (const Drawing& drawing : drawings) html += inlined(drawing);
+  html += "</div>\n";
+  for (const std::string& line : report.missing) html += "<p>Missing: " + escaped(line) + ".</p>\n";
+  return html;
+}
+
+std::string levels(const Report& report) {
+  Rows rows;
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    rows.push_back({fmt::to_string(i), fmt::to_string(level.cells), fmt::to_string(level.primal_dofs),
+                    fmt::to_string(level.dual_dofs), fmt::to_string(level.bracket.lower),
+                    fmt::to_string(level.bracket.upper), percent(level.bracket.relative_error_bound),
+                    fmt::format("{} / {}", level.contact_active, level.contact_rows),
+                    fmt::format("{} / {}", level.dual_contact_active, level.dual_contact_rows),
+                    fmt::format("{:.2f}", report.around[i].elapsed)});
+  }
+  return "<h2>Levels</h2>\n" +
+         html_table({"level", "cells", "displacement unknowns", "stress unknowns", "lower bound", "upper bound",
+                     "relative error", "closed rows, displacements", "closed rows, stresses", "seconds since start"},
+                    rows, 0);
+}
+
+std::string seconds(const Report& report) {
+  const Spent sum = spent(report.outcome.levels);
+  double write = 0;
+  for (const LevelSeconds& level : report.around) write += level.write;
+  std::vector<std::string> head = {"seconds, all levels"};
+  head.insert(head.end(), phase_names.begin(), phase_names.end());
+  head.push_back("all");
+  const auto row = [](const char* name, const Phases& phases, double all) {
+    std::vector<std::string> cells = {name};
+    for (const double value : phases) cells.push_back(fmt::format("{:.2f}", value));
+    cells.push_back(fmt::format("{:.2f}", all));
+    return cells;
+  };
+  return "<h2>Where the time went</h2>\n" +
+         html_table(head,
+                    {row("displacements", sum.primal_phases, sum.primal), row("stresses", sum.dual_phases, sum.dual)},
+                    1) +
+         fmt::format(
+             "<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, "
+             "write {:.2f}, pictures {:.2f} seconds.</p>\n",
+             report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
+}
+
+std::string checks(const bounds::Checks& checks) {
+  const auto row = [](const char* name, double value, const char* meaning) -> std::vector<std::string> {
+    const bool passed = value <= bounds::Checks::tolerance;
+    return {name, meaning, fmt::format("{:.1e}", value), passed ? "ok" : "<span class=\"failed\">large</span>"};
+  };
+  return "<h2>Checks of the fields as computed, before the certificate</h2>\n" +
+         html_table({"check", "meaning", "worst value", ""},
+                    {row("penetration", checks.penetration, "displacements keep supports and contact"),
+                     row("equilibrium", checks.equilibrium, "stresses balance the body force in every cell"),
+                     row("interface jump", checks.interface_jump, "tractions are equal on both sides of every edge"),
+                     row("boundary traction", checks.boundary_traction, "tractions are the given ones"),
+                     row("tension", checks.tension, "the contact does not pull"),
+                     row("gap identity", checks.gap_identity, "the cells' errors add up to the width")},
+                    2) +
+         fmt::format("<p>By the size of the scene's stresses, displacements or energy; limit {:g}.</p>\n",
+                     bounds::Checks::tolerance);
+}
+
+std::string list(const char* title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string html = fmt::format("<h2>{}</h2>\n<ul>\n", title);
+  for (const std::string& line : lines) html += "<li>" + escaped(line) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string report_html(const Report& report, const std::vector<Drawing>& drawings) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  const bool guaranteed = outcome.guarantee != "none";
+  const std::string title = escaped(report.scene.title.empty() ? report.scene.file : report.scene.title);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0} – Bracket</title>\n"
+      "<style>{1}</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1><p>{2} · plane {3}{4}</p></header>\n",
+      title, html_style, escaped(report.scene.file), report.scene.plane,
+      report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
+  html += answer(report);
+  if (guaranteed) html += scope(report) + pictures(report, drawings) + levels(report);
+  html += seconds(report) + checks(outcome.levels.back().checks);
+  html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);
+  html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);
+  return html + "<footer>Bracket " BRACKET_VERSION "</footer>\n</main>\n</body>\n</html>\n";
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,135 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/numbers.h"
+#include "apps/report/report.h"
+#include "apps/report/samples.h"
+
+namespace bracket::apps {
+namespace {
+
+std::string explanation(const Report& report) {
+  if (report.outcome.guarantee == "none")
+    return "No bound is printed; the plain values of this run are in report.json.\n";
+  return fmt::format(
+      "The exact potential energy lies in this interval: not below minus the complementary energy of stresses in\n"
+      "equilibrium, not above the potential energy of displacements that respect the contact. The error of either\n"
+      "field, in the energy norm, is at most the square root of twice the width: {}.\n"
+      "Guarantee: {}. The fields were moved into balance and out of contact exactly, and every rounding error of\n"
+      "their energies is within the interval.\n",
+      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))), report.outcome.guarantee);
+}
+
+std::string level_table(const Report& report) {
+  std::string text = fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8}\n", "level", "cells",
+                                 "displacements", "stresses", "lower bound", "upper bound", "error", "seconds");
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8.2f}\n", i, level.cells, level.primal_dofs,
+                        level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                        percent(level.bracket.relative_error_bound), level.seconds.total);
+  }
+  return text +
+         "      (unknowns of either formulation; each level's own bounds, of which the interval is the intersection)\n";
+}
+
+std::string seconds_table(const Report& report) {
+  const Spent sum = spent(report.outcome.levels);
+  double write = 0;
+  for (const LevelSeconds& level : report.around) write += level.write;
+  std::string text = "\nSeconds         ";
+  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
+  text += fmt::format("{:>10}\n  displacements {:>10.2f}{:>10.2f}\n  stresses      {:>10.2f}{:>10.2f}\n", "all",
+                      fmt::join(sum.primal_phases, ""), sum.primal, fmt::join(sum.dual_phases, ""), sum.dual);
+  return text +
+         fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, "
+                     "pictures {:.2f}\n",
+                     report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
+}
+
+// What one pair transmits: its resultant, largest pressure and the length of the edges that carry it.
+std::string pair_line(const Report& report, int pair) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  const double largest = largest_pressure(problem, report.contact, pair);
+  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
+  double force = 0, pressed = 0, whole = 0;
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    if (problem.contact[i].pair != pair) continue;
+    const auto& [a, b] = report.contact[i].pressure;
+    const double length = scene::length(problem.mesh, problem.contact[i].first);
+    force += length * (a + b) / 2;
+    whole += length;
+    if (presses(report.contact[i], rounding)) pressed += length;
+  }
+  return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
+                     report.scene.contact[pair].first, report.scene.contact[pair].second, force, largest, pressed,
+                     whole);
+}
+
+std::string contact_text(const Report& report) {
+  if (report.scene.contact.empty()) return "";
+  const bounds::Level& level = report.outcome.levels.back();
+  std::string text =
+      fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
+                  level.contact_active, level.contact_rows, level.contact_iterations, level.dual_contact_active,
+                  level.dual_contact_rows, level.dual_contact_iterations);
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) text += pair_line(report, pair);
+  return text;
+}
+
+std::string check_line(const char* name, double value, const char* meaning) {
+  const bool passed = value <= bounds::Checks::tolerance;
+  return fmt::format("  {:<18} {:>8.1e}  {:<6} {}\n", name, value, passed ? "ok" : "LARGE", meaning);
+}
+
+std::string checks_text(const bounds::Checks& checks) {
+  return "\nChecks of the fields as computed, before the certificate (by the size of the scene's stresses or "
+         "displacements)\n" +
+         check_line("penetration", checks.penetration, "displacements keep supports and contact") +
+         check_line("equilibrium", checks.equilibrium, "stresses balance the body force in every cell") +
+         check_line("interface jump", checks.interface_jump, "tractions are equal on both sides of every edge") +
+         check_line("boundary traction", checks.boundary_traction, "tractions are the given ones") +
+         check_line("tension", checks.tension, "the contact does not pull") +
+         check_line("gap identity", checks.gap_identity, "the cells' errors add up to the width");
+}
+
+std::string data_text(const Report& report) {
+  const scene::Oscillation& data = report.outcome.problem.oscillation;
+  const bounds::Level& last = report.outcome.levels.back();
+  constexpr double rounding = 1e-13;
+  if (std::max({data.traction, data.displacement, data.gap}) < rounding)
+    return "\nData: the given functions are carried exactly.\n";
+  return fmt::format(
+      "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of "
+      "their\n"
+      "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
+      data.traction, data.displacement, data.gap, last.oscillation_energy);
+}
+
+}  // namespace
+
+std::string headline(const Report& report) {
+  if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
+  return fmt::format("energy in [{}, {}]   relative width {}   guaranteed relative error {}\n", report.outcome.lower,
+                     report.outcome.upper, rounded_up_exponent(relative_width(report.outcome)),
+                     percent(report.outcome.relative_error_bound));
+}
+
+std::string report_text(const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  std::string text = report.scene.title.empty() ? "\n" : fmt::format("\n{}\n", report.scene.title);
+  text += fmt::format("Scene: {}; plane {}{}\n", report.scene.file, report.scene.plane,
+                      report.scene.units.empty() ? "" : "; units " + report.scene.units);
+  text += explanation(report) + "\n";
+  if (outcome.guarantee != "none") text += level_table(report);
+  text += contact_text(report) + checks_text(outcome.levels.back().checks) + data_text(report) + seconds_table(report);
+  if (outcome.status == scene::Status::budget) text += fmt::format("Budget: {}\n", outcome.reason);
+  if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, ";\n            "));
+  return text;
+}
+
+}  // namespace bracket::apps

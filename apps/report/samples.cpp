@@ -1,0 +1,89 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/samples.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace bracket::apps {
+
+scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int edge) {
+  if (displacement.degree == 2) return displacement.edge[edge];
+  const auto [a, b] = mesh.edges[edge];
+  return (displacement.vertex[a] + displacement.vertex[b]) / 2;
+}
+
+/// The shape functions of the quadratics are −1/9 at the vertices' nodes there, 4/9 at those of the edges.
+scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell) {
+  scene::Vector<2> vertices = scene::Vector<2>::Zero(), edges = vertices;
+  for (int k = 0; k < 3; ++k) {
+    vertices += displacement.vertex[mesh.cells[cell][k]];
+    if (displacement.degree == 2) edges += displacement.edge[mesh.cell_edges[cell][k]];
+  }
+  return displacement.degree == 2 ? scene::Vector<2>((4 * edges - vertices) / 9) : scene::Vector<2>(vertices / 3);
+}
+
+std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
+                                            const primal::Displacement<2>& displacement, int facet) {
+  const auto& at = problem.mesh.boundary[facet];
+  const auto stress = bounds::displacement_stress(problem, displacement, at.cell);
+  const scene::Vector<2> d = problem.facets[facet].normal;
+  std::array<double, 2> pressure;
+  for (int end = 0; end < 2; ++end) {
+    const auto& s = stress[(at.local + 1 + end) % 3];  // edge k runs from vertex k+1 to k+2
+    pressure[end] = -(s[0] * d.x() * d.x() + s[1] * d.y() * d.y() + 2 * s[2] * d.x() * d.y());
+  }
+  return pressure;
+}
+
+std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
+  const auto ends = [&](int i) { return problem.mesh.boundary[problem.contact[i].first].vertices; };
+  std::map<int, int> beginning_at;  // vertex: the facet that begins there
+  std::set<int> followed;           // vertices at which a facet ends
+  for (int i = 0; i < static_cast<int>(problem.contact.size()); ++i) {
+    if (problem.contact[i].pair != pair) continue;
+    beginning_at.emplace(ends(i)[0], i);
+    followed.insert(ends(i)[1]);
+  }
+  std::vector<Chain> result;
+  while (!beginning_at.empty()) {
+    auto start = std::ranges::find_if(beginning_at, [&](const auto& entry) { return !followed.contains(entry.first); });
+    if (start == beginning_at.end()) start = beginning_at.begin();  // what is left is closed
+    Chain chain;
+    for (auto next = start; next != beginning_at.end();) {
+      const int i = next->second;
+      chain.push_back(i);
+      beginning_at.erase(next);
+      next = beginning_at.find(ends(i)[1]);
+    }
+    result.push_back(chain);
+  }
+  return result;
+}
+
+double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair) {
+  double largest = 0;
+  for (std::size_t i = 0; i < problem.contact.size(); ++i)
+    if (problem.contact[i].pair == pair) largest = std::max(largest, std::ranges::max(contact[i].pressure));
+  return largest;
+}
+
+double rounding_of_pressure(const scene::Problem<2>& problem, const dual::Stress<2>& stress,
+                            const std::vector<bounds::ContactState>& contact, int pair) {
+  constexpr double of_stress = 1e-11;  // the certificate drops what is less
+  const scene::Mesh<2>& mesh = problem.mesh;
+  std::vector<char> touches(mesh.bodies.size(), 0);
+  for (const scene::ContactFacet& facet : problem.contact)
+    for (const int side : {facet.first, facet.second})
+      if (facet.pair == pair && side >= 0) touches[mesh.cell_body[mesh.boundary[side].cell]] = 1;
+  double largest = 0;
+  for (std::size_t c = 0; c < stress.cell.size(); ++c) {
+    if (!touches[mesh.cell_body[c]]) continue;
+    for (const scene::Voigt<2>& s : stress.cell[c]) largest = std::max(largest, s.norm());
+  }
+  return std::max(of_stress * largest, bounds::Checks::tolerance * largest_pressure(problem, contact, pair));
+}
+
+bool presses(const bounds::ContactState& state, double rounding) { return std::ranges::max(state.pressure) > rounding; }
+
+}  // namespace bracket::apps

@@ -1,0 +1,141 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/studies/extremes.h"
+#include "apps/report/json.h"
+#include "apps/report/numbers.h"
+#include "apps/plots/pictures.h"
+
+namespace bracket::apps {
+namespace {
+
+std::string verdict(const Extreme& row) {
+  const auto contains = contains_reference(row);
+  return !contains ? "-" : *contains ? "yes" : "NO";
+}
+
+/// Relative width by the benign one; none where there is no interval or the benign one has no width.
+std::optional<double> widening(const Extremes& extremes, const Extreme& row) {
+  const double benign = extremes.benign.relative_width();
+  if (!row.interval || benign == 0) return std::nullopt;
+  return row.interval->relative_width() / benign;
+}
+
+bool drawable(const Extreme& row) { return row.interval && row.interval->relative_width() > 0; }
+
+/// \param reasons those of the lines before and of this one
+std::string line(const Extremes& extremes, const Extreme& row, const std::vector<std::string>& reasons) {
+  const auto ratio = widening(extremes, row);
+  std::string text = fmt::format("{:<21}{:>9.2g}", row.sweep, row.parameter);
+  if (row.interval)
+    text += fmt::format("{:>25.16g}{:>25.16g}{:>10}", row.interval->lower, row.interval->upper,
+                        rounded_up_exponent(row.interval->relative_width()));
+  else text += fmt::format("{:>25}{:>25}{:>10}", "-", "-", "-");
+  text += fmt::format("{:>10}{:>10}{:>9.3f}{:>7}", verdict(row), ratio ? fmt::format("{:.2g}", *ratio) : "-",
+                      row.seconds, static_cast<int>(row.status));
+  const auto reason = std::ranges::find(reasons, row.reason);
+  return text + (row.reason.empty() ? "\n" : fmt::format(" [{}]\n", reason - reasons.begin() + 1));
+}
+
+}  // namespace
+
+std::string extremes_text(const Extremes& extremes) {
+  std::string text = fmt::format("{:<21}{:>9}{:>25}{:>25}{:>10}{:>10}{:>10}{:>9}{:>7}\n", "sweep", "parameter",
+                                 "lower bound", "upper bound", "width", "contains", "widening", "seconds", "status");
+  const Interval& benign = extremes.benign;
+  text += fmt::format("{:<30}{:>25.16g}{:>25.16g}{:>10}\n", "the scene as it is", benign.lower, benign.upper,
+                      rounded_up_exponent(benign.relative_width()));
+  std::vector<std::string> reasons;
+  for (const Extreme& row : extremes.rows) {
+    if (!row.reason.empty() && std::ranges::find(reasons, row.reason) == reasons.end()) reasons.push_back(row.reason);
+    text += line(extremes, row, reasons);
+  }
+  text +=
+      "(each interval is that of one mesh, the scene's first, for the resultants refined at the ends of the contact;\n"
+      " width: relative, rounded up; widening: by that of the scene as it is; contains: whether the interval meets\n"
+      " another of the same energy: that of the scene as it is, times the factor of the change, or where the problem\n"
+      " is another one its own on the mesh with all edges halved)\n";
+  for (std::size_t i = 0; i < reasons.size(); ++i) text += fmt::format("[{}] {}\n", i + 1, reasons[i]);
+  for (const std::string& reason : extremes.left_out) text += "left out: " + reason + "\n";
+  return text;
+}
+
+std::string extremes_csv(const Extremes& extremes) {
+  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
+  std::string text =
+      "sweep,parameter,lower,upper,relative_width,reference_lower,reference_upper,contains_reference,widening,seconds,"
+      "status\n";
+  for (const Extreme& row : extremes.rows) {
+    const auto of = [&](const std::optional<Interval>& interval, double Interval::*end) {
+      return interval ? number((*interval).*end) : "";
+    };
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.sweep, row.parameter,
+                        of(row.interval, &Interval::lower), of(row.interval, &Interval::upper),
+                        row.interval ? number(row.interval->relative_width()) : "",
+                        of(row.reference, &Interval::lower), of(row.reference, &Interval::upper),
+                        row.reference ? verdict(row) : "", number(widening(extremes, row)), row.seconds,
+                        static_cast<int>(row.status));
+  }
+  return text;
+}
+
+std::string extremes_json(const scene::Scene<2>& scene, const Extremes& extremes) {
+  using Json = nlohmann::ordered_json;
+  const auto interval = [](const std::optional<Interval>& value) -> Json {
+    if (!value) return nullptr;
+    return {{"lower", value->lower}, {"upper", value->upper}, {"relative_width", value->relative_width()}};
+  };
+  Json rows = Json::array();
+  for (const Extreme& row : extremes.rows) {
+    const auto contains = contains_reference(row);
+    const auto ratio = widening(extremes, row);
+    rows.push_back({{"sweep", row.sweep},
+                    {"parameter", row.parameter},
+                    {"status", static_cast<int>(row.status)},
+                    {"reason", row.reason},
+                    {"energy", interval(row.interval)},
+                    {"reference", interval(row.reference)},
+                    {"contains_reference", contains ? Json(*contains) : Json(nullptr)},
+                    {"widening", ratio ? Json(*ratio) : Json(nullptr)},
+                    {"seconds", row.seconds}});
+  }
+  Json json = heading(scene);
+  json["benign"] = interval(extremes.benign);
+  json["rows"] = std::move(rows);
+  json["left_out"] = extremes.left_out;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool has_picture(const Extremes& extremes) { return std::ranges::any_of(extremes.rows, drawable); }
+
+Picture extremes_picture(const Extremes& extremes) {
+  std::vector<double> parameters, widths;
+  std::string items, data;
+  int curves = 0;
+  for (const Extreme& row : extremes.rows) {
+    if (!drawable(row)) continue;
+    const bool begins = items.find(quoted(row.sweep)) == std::string::npos;
+    if (begins) {
+      constexpr int colours = 6;  // that are told apart; then they begin anew, dashed
+      items += fmt::format("{}'-' with linespoints lw 2 ps 0.7 pt 7 lc {} dt {} title {}", curves > 0 ? ", " : "",
+                           1 + curves % colours, curves < colours ? "1" : "(6,4)", quoted(row.sweep));
+      ++curves;
+      data += data.empty() ? "" : "e\n";
+    }
+    parameters.push_back(row.parameter);
+    widths.push_back(row.interval->relative_width());
+    data += fmt::format("{} {}\n", parameters.back(), widths.back());
+  }
+  return {"extremes",
+          "The relative width of the guaranteed interval against the parameter that goes to its limit, a curve per "
+          "sweep.",
+          900, 560,
+          plot_style() + "set key outside right top vertical\n" + log_axis("x", parameters) + log_axis("y", widths) +
+              fmt::format("set xlabel 'parameter'\nset ylabel 'relative width of the interval'\nplot {}\n{}e\n", items,
+                          data)};
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,146 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/json.h"
+#include "apps/report/numbers.h"
+#include "apps/plots/pictures.h"
+#include "apps/studies/study.h"
+
+namespace bracket::apps {
+namespace {
+
+bool drawable(const bounds::Level& level) {
+  return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
+}
+
+double order(const Series& series) {
+  std::vector<Sample> samples;
+  for (const bounds::Level& level : series.levels)
+    if (drawable(level)) samples.push_back({static_cast<double>(level.cells), level.bracket.relative_error_bound});
+  return observed_order(samples);
+}
+
+std::string label(const Series& series) { return fmt::format("{}, degree {}", series.strategy, series.degree); }
+
+std::string power(const Series& series) {
+  const double slope = order(series);
+  return std::isfinite(slope) ? fmt::format("like cells to the power {:.2f}", slope) : "on too few levels to say";
+}
+
+// The seconds of a level in both formulations together, as columns: mesh, the phases, estimate.
+std::vector<double> seconds(const bounds::Level& level) {
+  const Phases primal = primal_phases(level), dual = dual_phases(level);
+  std::vector<double> result = {level.seconds.mesh};
+  for (std::size_t i = 0; i < primal.size(); ++i) result.push_back(primal[i] + dual[i]);
+  result.push_back(level.seconds.estimate);
+  return result;
+}
+
+}  // namespace
+
+std::string study_text(const std::vector<Series>& all) {
+  std::string text = fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22} {:>22} {:>9}{:>7}", "strategy", "degree", "cells",
+                                 "displacements", "stresses", "lower bound", "upper bound", "error", "mesh");
+  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
+  text += fmt::format("{:>10}{:>9}\n", "estimate", "elapsed");
+  for (const Series& series : all)
+    for (std::size_t i = 0; i < series.levels.size(); ++i) {
+      const bounds::Level& level = series.levels[i];
+      text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}", series.strategy, series.degree,
+                          level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                          percent(level.bracket.relative_error_bound));
+      const std::vector<double> columns = seconds(level);
+      text += fmt::format("{:>7.2f}{:>10.2f}{:>9.2f}\n", columns[0], fmt::join(columns.begin() + 1, columns.end(), ""),
+                          series.elapsed[i]);
+    }
+  text +=
+      "(seconds of both formulations together; they run side by side, so that less time elapses)\n\n"
+      "Guaranteed relative error, observed over the last half of the levels\n";
+  for (const Series& series : all)
+    text += fmt::format("  {:<20} {}   ({})\n", label(series), power(series), series.end);
+  return text;
+}
+
+std::string study_csv(const std::vector<Series>& all) {
+  std::string text =
+      "strategy,degree,level,cells,primal_dofs,dual_dofs,lower,upper,relative_error_bound,seconds_mesh,seconds_primal,"
+      "seconds_dual,seconds_estimate,seconds_total,seconds_elapsed";
+  for (const char* formulation : {"primal", "dual"})
+    for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
+  text += "\n";
+  for (const Series& series : all)
+    for (std::size_t i = 0; i < series.levels.size(); ++i) {
+      const bounds::Level& level = series.levels[i];
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", series.strategy, series.degree, i,
+                          level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
+                          level.bracket.relative_error_bound, level.seconds.mesh, level.seconds.primal,
+                          level.seconds.dual, level.seconds.estimate, level.seconds.total, series.elapsed[i],
+                          fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
+    }
+  return text;
+}
+
+std::string study_json(const scene::Scene<2>& scene, const std::vector<Series>& all) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const Series& series : all) {
+    Json levels = Json::array();
+    for (std::size_t i = 0; i < series.levels.size(); ++i)
+      levels.push_back(level_json(series.levels[i], {.elapsed = series.elapsed[i], .write = 0}));
+    list.push_back({{"strategy", series.strategy},
+                    {"degree", series.degree},
+                    {"end", series.end},
+                    {"order", order(series)},
+                    {"levels", std::move(levels)}});
+  }
+  Json json = heading(scene);
+  json["series"] = std::move(list);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool has_picture(const std::vector<Series>& all) {
+  return std::ranges::any_of(all, [](const Series& series) { return std::ranges::any_of(series.levels, drawable); });
+}
+
+Picture study_picture(const std::vector<Series>& all) {
+  const auto look = [](const Series& series) {
+    const char* colour = series.strategy == "adaptive" ? stress_colour : displacement_colour;
+    return fmt::format("lw 2 ps 0.7 pt {} dt {} lc rgb '{}'", series.degree == 2 ? 7 : 6,
+                       series.degree == 2 ? "1" : "(6,4)", colour);
+  };
+  std::vector<double> times, errors;
+  std::string items, data;
+  for (const Series& series : all) {
+    std::string points, last;
+    for (std::size_t i = 0; i < series.levels.size(); ++i) {
+      if (!drawable(series.levels[i])) continue;
+      times.push_back(series.elapsed[i]);
+      errors.push_back(series.levels[i].bracket.relative_error_bound);
+      last = fmt::format("{} {}", times.back(), errors.back());
+      points += last + "\n";
+    }
+    if (points.empty()) continue;
+    items +=
+        fmt::format("{}'-' with linespoints {} title '{}'", items.empty() ? "" : ", ", look(series), label(series));
+    data += points + "e\n";
+    if (!std::isfinite(order(series))) continue;
+    items += ", '-' using 1:2:3 with labels left offset 1,0 notitle";
+    data += fmt::format("{} \"cells^{{{:.2f}}}\"\ne\n", last, order(series));
+  }
+  times.push_back(2 * std::ranges::max(times));  // room for the labels
+  return {
+      "study",
+      "The guaranteed relative error of both fields in the energy norm against the run time, with the order observed "
+      "over the last half of the levels.",
+      900, 560,
+      plot_style() + log_axis("x", times) + log_axis("y", errors) +
+          fmt::format("set xlabel 'seconds'\nset ylabel 'guaranteed relative error'\n"
+                      "plot {}\n{}",
+                      items, data)};
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,127 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/certificate/admissible_displacement.h"
+
+#include <fmt/format.h>
+
+#include "bounds/certificate/enclosure.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+
+std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
+  std::vector<VertexSupport> supports(problem.mesh.vertices.size());
+  for (const Support kind : {Support::fixed, Support::sliding})
+    for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+      const auto& data = problem.facets[f];
+      if (data.support != kind) continue;
+      for (int i = 0; i < 2; ++i) {
+        VertexSupport& vertex = supports[problem.mesh.boundary[f].vertices[i]];
+        if (kind == Support::fixed) {
+          vertex.fixed = true;
+          vertex.displacement = data.displacement[i];
+        } else if (!vertex.fixed && vertex.slides < 2 &&
+                   (vertex.slides == 0 || (vertex.normal[0] != data.normal && vertex.normal[0] != -data.normal))) {
+          vertex.normal[vertex.slides] = data.normal;
+          vertex.value[vertex.slides++] = data.normal_displacement[i];
+        }
+      }
+    }
+  return supports;
+}
+
+namespace {
+
+PlainField plain(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+                 const std::vector<VertexSupport>& supports) {
+  PlainField field{displacement.vertex, {}};
+  for (std::size_t v = 0; v < supports.size(); ++v)
+    if (supports[v].fixed) field.vertex[v] = supports[v].displacement;
+  if (displacement.degree == 1) return field;
+  const auto& mesh = problem.mesh;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Vector<2>&a = field.vertex[mesh.edges[e][0]], &b = field.vertex[mesh.edges[e][1]];
+    field.bubble.push_back(0.5 * ((displacement.edge[e] - a) + (displacement.edge[e] - b)));
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == Support::fixed) field.bubble[mesh.boundary[f].edge].setZero();
+  return field;
+}
+
+/// How a vertex can move along d: not at all where the length is 0.
+Vector<2> way(const VertexSupport& support, const Vector<2>& d) {
+  if (support.fixed || support.slides == 2) return Vector<2>::Zero();
+  if (support.slides == 0) return d / d.squaredNorm();
+  const Vector<2> tangent(-support.normal[0][1], support.normal[0][0]);
+  const double along = tangent.dot(d);
+  return std::abs(along) < 1e-7 ? Vector<2>::Zero() : Vector<2>(tangent / along);
+}
+
+/// By how much the facet penetrates at most; 0: with certainty not at all.
+double excess(const Enclosure& penetration) {
+  return certainly_non_negative(-penetration) ? 0 : upper(penetration);
+}
+
+/// By how much to move what is now at u: a little more than what is missing, and not lost in rounding.
+double step(double missing, const Vector<2>& u) {
+  return std::max(1.0625 * missing, 4 * std::numeric_limits<double>::epsilon() * u.norm());
+}
+
+/// Moves one end of a contact facet out of contact. \return whether its supports let it
+bool make_way(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+              const scene::ContactFacet& pair, int end, double missing) {
+  const auto& mesh = problem.mesh;
+  const Vector<2>& d = problem.facets[pair.first].normal;
+  const int first = mesh.boundary[pair.first].vertices[end];
+  const int second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - end];
+  const Vector<2> back = way(supports[first], d);
+  const Vector<2> away = second < 0 ? Vector<2>(Vector<2>::Zero()) : way(supports[second], d);
+  if (back.isZero(0) && away.isZero(0)) return false;
+  // The one that moves less for it.
+  const bool moves_first = away.isZero(0) || (!back.isZero(0) && back.norm() <= away.norm());
+  Vector<2>& u = field.vertex[moves_first ? first : second];
+  u += step(missing, u) * (moves_first ? Vector<2>(-back) : away);
+  return true;
+}
+
+/// The same for the middle: by the bubble, or, in degree 1, by the ends that can.
+bool make_way_between(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+                      const scene::ContactFacet& pair, double missing) {
+  if (field.bubble.empty()) {
+    const bool at_first = make_way(problem, supports, field, pair, 0, missing);
+    return make_way(problem, supports, field, pair, 1, missing) || at_first;
+  }
+  const Vector<2>& d = problem.facets[pair.first].normal;
+  Vector<2>& bubble = field.bubble[problem.mesh.boundary[pair.first].edge];
+  bubble -= step(missing / 2, bubble) * d / d.squaredNorm();
+  return true;
+}
+
+}  // namespace
+
+AdmissibleField admissible_field(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+                                 const std::vector<VertexSupport>& supports) {
+  constexpr int most = 100;
+  PlainField field = plain(problem, displacement, supports);
+  for (int sweep = 0; sweep < most; ++sweep) {
+    bool settled = true;
+    for (const auto& pair : problem.contact)
+      for (int k = 0; k < 3; ++k) {  // both ends, then the middle
+        const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
+        if (std::isnan(missing)) return {{}, "the displacements are not finite"};
+        if (missing == 0) continue;
+        settled = false;
+        if (k < 2 ? make_way(problem, supports, field, pair, k, missing)
+                  : make_way_between(problem, supports, field, pair, missing))
+          continue;
+        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k % 2]];
+        return {{}, fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
+                                at[1], missing)};
+      }
+    if (settled) return {std::move(field), ""};
+  }
+  return {{}, "the displacements could not be moved out of contact"};
+}
+
+}  // namespace bracket::bounds

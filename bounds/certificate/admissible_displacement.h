@@ -1,0 +1,202 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "bounds/certificate/elastic_form.h"
+#include "primal/primal.h"
+
+/// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
+namespace bracket::bounds {
+
+/// What the supports prescribe at a vertex.
+struct VertexSupport {
+  bool fixed = false;
+  scene::Vector<2> displacement = scene::Vector<2>::Zero();  ///< if fixed
+  int slides = 0;                                            ///< else: u·normal = value, for up to two normals
+  std::array<scene::Vector<2>, 2> normal;
+  std::array<double, 2> value = {0, 0};
+};
+std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem);
+
+/// Displacements as plain numbers: u = Σ vertex φ_v + Σ bubble 4 φ_a φ_b over the edges ab. The field they stand for is
+/// moved onto the supports exactly by shift(), and bubbles on Γ_0 by onto(), which are of the size of rounding.
+struct PlainField {
+  std::vector<scene::Vector<2>> vertex;
+  std::vector<scene::Vector<2>> bubble;  ///< of each edge; empty for degree 1
+};
+
+/// The vector along `normal` that moves u onto u·normal = value.
+template <class Number>
+Plane<Number> onto(const Plane<Number>& u, const scene::Vector<2>& normal, const Number& value) {
+  const Plane<Number> n = plane<Number>(normal);
+  const Number missing = value - dot(n, u);
+  return (missing / dot(n, n)) * n;
+}
+
+/// What is to be added to a vertex's plain displacement.
+template <class Number> Plane<Number> shift(const VertexSupport& support, const scene::Vector<2>& displacement) {
+  const Plane<Number> u = plane<Number>(displacement);
+  if (support.fixed) return plane<Number>(support.displacement) - u;
+  if (support.slides == 0) return {};
+  if (support.slides == 1) return onto(u, support.normal[0], Number(support.value[0]));
+  const Plane<Number> a = plane<Number>(support.normal[0]), b = plane<Number>(support.normal[1]);
+  const Number of_a = Number(support.value[0]) - dot(a, u), of_b = Number(support.value[1]) - dot(b, u);
+  const Number determinant = cross(a, b);
+  return {(of_a * b.y - of_b * a.y) / determinant, (of_b * a.x - of_a * b.x) / determinant};
+}
+
+/// u·d of a vertex. Along a normal of its support it is the prescribed value, to the last bit.
+template <class Number>
+Number component(const VertexSupport& support, const scene::Vector<2>& displacement, const scene::Vector<2>& d) {
+  for (int i = 0; i < support.slides; ++i) {
+    if (support.normal[i] == d) return Number(support.value[i]);
+    if (support.normal[i] == -d) return -Number(support.value[i]);
+  }
+  const Plane<Number> along = plane<Number>(d);
+  return dot(plane<Number>(displacement), along) + dot(shift<Number>(support, displacement), along);
+}
+
+/// (u' − u'')·d at a vertex of a contact's first side and that of the second on it (−1: a wall): what moves both alike
+/// leaves it zero to the last bit.
+template <class Number>
+Number approach(const std::vector<VertexSupport>& supports, const PlainField& field, int first, int second,
+                const scene::Vector<2>& d) {
+  const auto along = [&](int vertex) { return component<Number>(supports[vertex], field.vertex[vertex], d); };
+  if (second < 0) return along(first);
+  if (supports[first].slides > 0 || supports[second].slides > 0) return along(first) - along(second);
+  const Plane<Number> moved = shift<Number>(supports[first], field.vertex[first]) -
+                              shift<Number>(supports[second], field.vertex[second]);
+  return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, plane<Number>(d));
+}
+
+/// r − g of one contact facet as Bernstein coefficients: at its vertices 0 and 1 and in the middle. In K all are ≤ 0.
+template <class Number>
+std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                                  const PlainField& field, const scene::ContactFacet& pair) {
+  const auto& mesh = problem.mesh;
+  const auto& first = mesh.boundary[pair.first];
+  const scene::Vector<2>& d = problem.facets[pair.first].normal;
+  std::array<Number, 3> r;
+  for (int i = 0; i < 2; ++i) {
+    const int across = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
+    r[i] = approach<Number>(supports, field, first.vertices[i], across, d);
+  }
+  Number bubble(0);
+  if (!field.bubble.empty()) {
+    bubble += dot(plane<Number>(field.bubble[first.edge]), plane<Number>(d));
+    if (pair.second >= 0)
+      bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
+  }
+  const Number two(2), begin(pair.gap[0]), end(pair.gap[1]), middle(pair.gap[2]);
+  r[2] = (r[0] + r[1]) / two + two * bubble - (two * middle - (begin + end) / two);
+  r[0] -= begin;
+  r[1] -= end;
+  return r;
+}
+
+/// The displacements of a solution, moved by no more than rounding, so that they are in K with certainty.
+/// \return nothing where the prescribed displacements leave no room; then `reason`
+struct AdmissibleField {
+  std::optional<PlainField> field;
+  std::string reason;
+};
+AdmissibleField admissible_field(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+                                 const std::vector<VertexSupport>& supports);
+
+template <class Number> struct FieldEnergy {
+  Number strain;  ///< ½ A(v,v)
+  Number total;   ///< L(v)
+};
+
+/// The strain energy of one cell.
+/// \param shifts of all vertices, as shift() gives them: they are added to the plain displacements
+/// \param bubbles of all edges, moved onto the supports; empty for degree 1
+template <class Number>
+Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
+                          const std::vector<Plane<Number>>& shifts, const std::vector<Plane<Number>>& bubbles,
+                          int cell) {
+  const auto& mesh = problem.mesh;
+  const auto& v = mesh.cells[cell];
+  const Number doubled = doubled_area<Number>(mesh, cell);
+  std::array<Plane<Number>, 3> gradient;  // of φ
+  for (int k = 0; k < 3; ++k) {
+    const Plane<Number> opposite = between<Number>(mesh.vertices[v[(k + 1) % 3]], mesh.vertices[v[(k + 2) % 3]]);
+    gradient[k] = (Number(1) / doubled) * turned(opposite);
+  }
+  std::array<std::array<Number, 3>, 3> strain;
+  for (int m = 0; m < 3; ++m) {
+    Number xx(0), yy(0), xy(0);
+    for (int j = 0; j < 3; ++j) {
+      if (j == m) continue;
+      Plane<Number> slope = between<Number>(field.vertex[v[m]], field.vertex[v[j]]) + (shifts[v[j]] - shifts[v[m]]);
+      if (!bubbles.empty()) slope = slope + Number(4) * bubbles[mesh.cell_edges[cell][3 - m - j]];
+      xx += slope.x * gradient[j].x;
+      yy += slope.y * gradient[j].y;
+      xy += slope.x * gradient[j].y + slope.y * gradient[j].x;
+    }
+    strain[m] = {xx, yy, xy};
+  }
+  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); }, strain, doubled);
+}
+
+/// ∫ T·u dτ over a facet of Γ_τ, T linear.
+template <class Number>
+Number facet_work(const scene::Mesh<2>& mesh, const std::vector<VertexSupport>& supports, const PlainField& field,
+                  int facet, const std::array<Plane<Number>, 2>& load) {
+  std::array<Plane<Number>, 2> u;
+  for (int i = 0; i < 2; ++i) {
+    const int v = mesh.boundary[facet].vertices[i];
+    u[i] = plane<Number>(field.vertex[v]) + shift<Number>(supports[v], field.vertex[v]);
+  }
+  const Number linear = linear_product(load, u);
+  if (field.bubble.empty()) return linear;
+  return linear + dot(load[0] + load[1], plane<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
+}
+
+/// Length of a facet.
+template <class Number> Number facet_length(const scene::Mesh<2>& mesh, int facet) {
+  const auto& [a, b] = mesh.boundary[facet].vertices;
+  const Plane<Number> e = between<Number>(mesh.vertices[a], mesh.vertices[b]);
+  return root(dot(e, e));
+}
+
+/// L of the field that `field` stands for [HH81 §1]. \tparam Sum with add() and value()
+template <class Number, class Sum>
+FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                                 const PlainField& field) {
+  const auto& mesh = problem.mesh;
+  std::vector<Plane<Number>> shifts(field.vertex.size()), bubbles;
+  for (std::size_t v = 0; v < shifts.size(); ++v) shifts[v] = shift<Number>(supports[v], field.vertex[v]);
+  for (const auto& w : field.bubble) bubbles.push_back(plane<Number>(w));
+  for (std::size_t f = 0; f < problem.facets.size() && !bubbles.empty(); ++f)
+    if (Plane<Number>& w = bubbles[mesh.boundary[f].edge]; problem.facets[f].support == scene::Support::sliding)
+      w = w + onto(w, problem.facets[f].normal, Number(0));
+
+  const auto forms = elastic_forms<Number>(problem);
+  Sum strain, work;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c), body = mesh.cell_body[c];
+    strain.add(cell_strain_energy(problem, forms[body], field, shifts, bubbles, cell));
+    const scene::Vector<2>& force = problem.bodies[body].force;
+    if (force.isZero(0)) continue;
+    Plane<Number> u;  // three times its mean
+    for (int k = 0; k < 3; ++k) {
+      u = u + plane<Number>(field.vertex[mesh.cells[c][k]]) + shifts[mesh.cells[c][k]];
+      if (!bubbles.empty()) u = u + bubbles[mesh.cell_edges[c][k]];
+    }
+    work.add(doubled_area<Number>(mesh, cell) / Number(6) * dot(plane<Number>(force), u));
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (!scene::is_loaded(data)) continue;
+    const int facet = static_cast<int>(f);
+    const Number length = facet_length<Number>(mesh, facet);
+    work.add(facet_work<Number>(mesh, supports, field, facet,
+                        {length * plane<Number>(data.traction[0]), length * plane<Number>(data.traction[1])}));
+  }
+  const Number half_a = strain.value();
+  return {half_a, half_a - work.value()};
+}
+
+}  // namespace bracket::bounds

@@ -1,0 +1,197 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <future>
+
+#include "bounds/certificate/admissible_displacement.h"
+#include "bounds/certificate/block_stress.h"
+#include "dual/dual.h"
+
+/// Edge loads in balance with the data exactly, and the energy of their stresses: real numbers that `Number` encloses
+/// or holds exactly.
+namespace bracket::bounds {
+
+/// The loads on all edges as plain numbers, per unit of the parameter along the edge, from its first vertex a to its
+/// second b, on the cell that lies to the left of ab; on the other cell they are opposite. So tractions are continuous.
+/// On Γ_τ, where the data say what they are, they are left out.
+struct PlainLoads {
+  std::vector<std::array<scene::Vector<2>, 2>> edge;  ///< at a and b; zero on Γ_τ, Γ_0 and Γ_K
+  std::vector<std::array<double, 2>> along_normal;    ///< of each facet at its vertices 0 and 1: Γ_0: along the outward
+                                                      ///< normal; Γ_K, first sides only: the pressure, ≥ 0
+};
+PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress);
+
+/// Loads on a facet in addition to its tractions, per unit of the parameter τ along it, at its vertices 0 and 1.
+template <class Number> struct AddedLoad {
+  int facet;
+  std::array<Plane<Number>, 2> load;
+};
+
+/// The same loads with `Number`, those of the data included.
+template <class Number> struct Loads {
+  std::vector<SideLoad<Number>> edge;
+  std::vector<std::array<Number, 2>> along_normal;
+  std::vector<AddedLoad<Number>> added;  ///< to the data: what these lack of balance by themselves
+};
+
+/// Whether a facet runs as its edge does, from the lower vertex to the higher.
+inline bool forward(const scene::Mesh<2>::Facet& facet) { return facet.vertices[0] < facet.vertices[1]; }
+
+/// A load given in the order of a facet's or side's ends, in that of its edge, and the other way round.
+template <class Number> SideLoad<Number> oriented(const SideLoad<Number>& load, bool forward) {
+  return forward ? load : SideLoad<Number>{-load[1], -load[0]};
+}
+
+template <class Number>
+void set_boundary_load(Loads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const SideLoad<Number>& load) {
+  loads.edge[mesh.boundary[facet].edge] = oriented(load, forward(mesh.boundary[facet]));
+}
+
+/// Writes the loads of Γ_0 and Γ_K into the edges.
+template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, Loads<Number>& loads) {
+  const auto along = [&](int facet, const Number& at0, const Number& at1) {
+    const Plane<Number> n = plane<Number>(problem.facets[facet].normal);
+    set_boundary_load(loads, problem.mesh, facet, {at0 * n, at1 * n});
+  };
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == scene::Support::sliding)
+      along(static_cast<int>(f), loads.along_normal[f][0], loads.along_normal[f][1]);
+  for (const auto& pair : problem.contact) {
+    const auto& p = loads.along_normal[pair.first];
+    along(pair.first, -p[0], -p[1]);
+    if (pair.second >= 0) along(pair.second, -p[1], -p[0]);  // its normal is the opposite
+  }
+}
+
+template <class Number> Loads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& given) {
+  Loads<Number> loads;
+  for (const auto& [a, b] : given.edge) loads.edge.push_back({plane<Number>(a), plane<Number>(b)});
+  for (const auto& [a, b] : given.along_normal) loads.along_normal.push_back({Number(a), Number(b)});
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (!scene::is_loaded(data)) continue;
+    const int facet = static_cast<int>(f);
+    const Number length = facet_length<Number>(problem.mesh, facet);
+    set_boundary_load(loads, problem.mesh, facet,
+                      {length * plane<Number>(data.traction[0]), length * plane<Number>(data.traction[1])});
+  }
+  spread_normal_loads(problem, loads);
+  return loads;
+}
+
+/// A cell's corners as seen from its first, and the loads on its sides i → i + 1.
+template <class Number> struct Block {
+  std::array<Plane<Number>, 3> x;
+  std::array<SideLoad<Number>, 3> load;
+  std::array<int, 3> edge;
+  std::array<bool, 3> forward;
+};
+template <class Number> Block<Number> block(const scene::Mesh<2>& mesh, const Loads<Number>& loads, int cell) {
+  Block<Number> result;
+  const auto& v = mesh.cells[cell];
+  for (int i = 0; i < 3; ++i) {
+    result.x[i] = between<Number>(mesh.vertices[v[0]], mesh.vertices[v[i]]);
+    result.edge[i] = mesh.cell_edges[cell][(i + 2) % 3];
+    result.forward[i] = mesh.edges[result.edge[i]][0] == v[i];
+    result.load[i] = oriented(loads.edge[result.edge[i]], result.forward[i]);
+  }
+  return result;
+}
+
+/// What is left of a cell's loads and its body force, about its first corner.
+template <class Number>
+Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number>& block, int cell) {
+  Resultant<Number> sum;
+  for (int i = 0; i < 3; ++i) {
+    const auto part = resultant(block.load[i], block.x[i], block.x[(i + 1) % 3] - block.x[i]);
+    sum.force = sum.force + part.force;
+    sum.moment += part.moment;
+  }
+  const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
+  if (force.isZero(0)) return sum;
+  const Plane<Number> weight = (doubled_area<Number>(problem.mesh, cell) / Number(2)) * plane<Number>(force);
+  sum.force = sum.force + weight;
+  sum.moment += cross(block.x[1] + block.x[2], weight) / Number(3);
+  return sum;
+}
+
+/// The stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the centroid.
+template <class Number>
+BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number> block, int cell) {
+  const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
+  std::array<std::array<Number, 2>, 3> carried;  // xx, yy at the corners
+  const Plane<Number> f = plane<Number>(force);
+  const bool has_force = !force.isZero(0);
+  if (has_force) {
+    const Plane<Number> centroid = (Number(1) / Number(3)) * (block.x[0] + block.x[1] + block.x[2]);
+    for (int i = 0; i < 3; ++i)
+      carried[i] = {f.x * (centroid.x - block.x[i].x), f.y * (centroid.y - block.x[i].y)};
+    for (int i = 0; i < 3; ++i) {
+      const Plane<Number> e = block.x[(i + 1) % 3] - block.x[i];  // n ds = (e_y, −e_x)
+      for (int end = 0; end < 2; ++end) {
+        const auto& [xx, yy] = carried[(i + end) % 3];
+        block.load[i][end] = block.load[i][end] - Plane<Number>{xx * e.y, -(yy * e.x)};
+      }
+    }
+  }
+  BlockStress<Number> stress = stress_of_balanced(block.x, block.load);
+  for (int i = 0; has_force && i < 3; ++i)
+    for (int end = 0; end < 2; ++end)
+      for (int k = 0; k < 2; ++k) stress[i][end][k] += carried[(i + end) % 3][k];
+  return stress;
+}
+
+/// S of a cell in balance.
+template <class Number>
+Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const Block<Number>& block,
+                    int cell) {
+  const Number part = doubled_area<Number>(problem.mesh, cell) / Number(3);
+  Number sum(0);
+  for (const auto& corners : block_stress(problem, block, cell))
+    sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, corners, part);
+  return sum;
+}
+
+/// S(λ) [HH81 (1.11)] of the stresses of balanced loads. \tparam Sum with add() and value()
+template <class Number, class Sum>
+Number stress_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                     const Loads<Number>& loads) {
+  const auto& mesh = problem.mesh;
+  const auto forms = elastic_forms<Number>(problem);
+  const auto of_cells = [&](int begin, int end) {
+    Sum sum;
+    for (int cell = begin; cell < end; ++cell)
+      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], block(mesh, loads, cell), cell));
+    return sum.value();
+  };
+  const int cells = static_cast<int>(mesh.cells.size());
+  auto first_half = std::async(std::launch::async, of_cells, 0, cells / 2);
+  Sum energy;
+  energy.add(of_cells(cells / 2, cells));
+  energy.add(first_half.get());
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    const auto& facet = mesh.boundary[f];
+    if (data.support == scene::Support::fixed) {
+      const SideLoad<Number> load = oriented(loads.edge[facet.edge], forward(facet));
+      energy.add(-linear_product(load, {plane<Number>(data.displacement[0]), plane<Number>(data.displacement[1])}));
+    } else if (data.support == scene::Support::sliding) {
+      std::array<Number, 2> value;  // at a fixed vertex, that of its displacement
+      for (int i = 0; i < 2; ++i) {
+        const VertexSupport& vertex = supports[facet.vertices[i]];
+        value[i] = vertex.fixed ? dot(plane<Number>(vertex.displacement), plane<Number>(data.normal))
+                                : Number(data.normal_displacement[i]);
+      }
+      energy.add(-linear_product(loads.along_normal[f][0], loads.along_normal[f][1], value[0], value[1]));
+    }
+  }
+  for (const auto& pair : problem.contact) {  // Simpson's rule, exact for cubics
+    const auto& p = loads.along_normal[pair.first];
+    const Number two(2);
+    energy.add((p[0] * Number(pair.gap[0]) + two * (p[0] + p[1]) * Number(pair.gap[2]) + p[1] * Number(pair.gap[1])) /
+               Number(6));
+  }
+  return energy.value();
+}
+
+}  // namespace bracket::bounds

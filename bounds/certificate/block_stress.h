@@ -1,0 +1,92 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/certificate/plane.h"
+
+namespace bracket::bounds {
+
+/// Loads on the side of a cell from corner i to corner i + 1, per unit of the parameter along it, at its two ends.
+template <class Number> using SideLoad = std::array<Plane<Number>, 2>;
+
+template <class Number> struct Resultant {
+  Plane<Number> force;
+  Number moment = Number(0);
+};
+
+/// Force and moment of a load on the edge e, about a point from which the edge's first end is at `arm`.
+template <class Number>
+Resultant<Number> resultant(const SideLoad<Number>& load, const Plane<Number>& arm, const Plane<Number>& e) {
+  const Plane<Number> force = (Number(1) / Number(2)) * (load[0] + load[1]);
+  return {force, cross(arm, force) + cross(e, load[0] + load[1] + load[1]) / Number(6)};
+}
+
+/// The load on the edge e that has a resultant, given about a point from which the edge's first end is at `arm`.
+template <class Number>
+SideLoad<Number> load_with(const Resultant<Number>& resultant, const Plane<Number>& arm, const Plane<Number>& e) {
+  const Plane<Number> to_middle = arm + (Number(1) / Number(2)) * e;
+  const Number rest = resultant.moment - cross(to_middle, resultant.force);
+  const Plane<Number> linear = (Number(6) * rest / dot(e, e)) * turned(e);
+  return {resultant.force - linear, resultant.force + linear};
+}
+
+/// The stress of a block element from its side loads, by HH81 Theorem 2.1 the only one: xx, yy, xy at the corners i,
+/// i + 1 and the centroid of each of the three triangles at the sides i.
+template <class Number> using BlockStress = std::array<std::array<std::array<Number, 3>, 3>, 3>;
+
+/// Self-equilibrated side loads are integrated twice around the boundary to Airy's function and its gradient
+/// (t ds = d(∂φ/∂y, −∂φ/∂x)); the block element's stresses are the second derivatives of the Hsieh–Clough–Tocher cubic
+/// with these boundary values: C¹, so that tractions are continuous. Its Bernstein coefficients follow by means.
+/// \param x corners, as seen from the first   \param load of the sides i → i + 1, self-equilibrated
+template <class Number>
+BlockStress<Number> stress_of_balanced(const std::array<Plane<Number>, 3>& x,
+                                       const std::array<SideLoad<Number>, 3>& load) {
+  const Number two(2), three(3), six(6);
+  const auto by = [](const Number& s, const Plane<Number>& a) { return s * a; };
+  const Plane<Number> centroid = by(Number(1) / three, x[0] + x[1] + x[2]);
+  // φ and its gradient g at the corners (both zero at the first), b: the gradient's middle coefficient on each side.
+  std::array<Number, 4> phi;
+  std::array<Plane<Number>, 4> g;
+  std::array<Plane<Number>, 3> b, side, inward;
+  phi[0] = Number(0);
+  for (int i = 0; i < 3; ++i) {
+    side[i] = x[(i + 1) % 3] - x[i];
+    inward[i] = centroid - x[i];
+    b[i] = g[i] + by(Number(1) / two, turned(load[i][0]));
+    g[i + 1] = b[i] + by(Number(1) / two, turned(load[i][1]));
+    phi[i + 1] = phi[i] + dot(g[i] + b[i] + g[i + 1], side[i]) / three;
+  }
+  phi[3] = Number(0);  // in balance both come back to where they began
+  g[3] = {};
+  std::array<Number, 3> a, m, h;  // next to corner i, in the middle of triangle i, next to the centroid
+  for (int i = 0; i < 3; ++i) {
+    a[i] = phi[i] + dot(g[i], inward[i]) / three;
+    m[i] = phi[i] + dot(g[i], side[i]) / three + dot(b[i], inward[i]) / three;
+  }
+  for (int i = 0; i < 3; ++i) h[i] = (a[i] + m[i] + m[(i + 2) % 3]) / three;
+  const Number centre = (h[0] + h[1] + h[2]) / three;
+
+  BlockStress<Number> stress;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Number near = phi[i] + dot(g[i], side[i]) / three, far = phi[i + 1] - dot(g[i + 1], side[i]) / three;
+    // Second differences along the side and inward (uu, uv, vv) at the corners i, j and the centroid.
+    const std::array<std::array<Number, 3>, 3> second = {
+        {{far - near - (near - phi[i]), m[i] - near - (a[i] - phi[i]), h[i] - a[i] - (a[i] - phi[i])},
+         {phi[i + 1] - far - (far - near), a[j] - far - (m[i] - near), h[j] - m[i] - (m[i] - near)},
+         {a[j] - m[i] - (m[i] - a[i]), h[j] - m[i] - (h[i] - a[i]), centre - h[i] - (h[i] - a[i])}}};
+    // Gradients of the coordinates along the side and inward.
+    const Number determinant = cross(side[i], inward[i]);
+    const Plane<Number> p = by(Number(1) / determinant, -turned(inward[i]));
+    const Plane<Number> q = by(Number(1) / determinant, turned(side[i]));
+    for (int k = 0; k < 3; ++k) {
+      const auto& [uu, uv, vv] = second[k];
+      const Number xx = uu * p.x * p.x + two * uv * p.x * q.x + vv * q.x * q.x;
+      const Number yy = uu * p.y * p.y + two * uv * p.y * q.y + vv * q.y * q.y;
+      const Number xy = uu * p.x * p.y + uv * (p.x * q.y + p.y * q.x) + vv * q.x * q.y;
+      stress[i][k] = {six * yy, six * xx, -six * xy};
+    }
+  }
+  return stress;
+}
+
+}  // namespace bracket::bounds

@@ -1,0 +1,64 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/certificate/plane.h"
+
+namespace bracket::bounds {
+
+/// The elastic energy of strain, ½ εᵀCε, and of stress, ½ σᵀC⁻¹σ, from one factor C = L D Lᵀ (L with a unit diagonal):
+/// sums of squares, which do not cancel. Isotropic: from E and ν themselves, so that neither form suffers as ν → ½.
+template <class Number> struct ElasticForm {
+  std::array<Number, 3> d;     ///< > 0
+  std::array<Number, 3> l;     ///< L(1,0), L(2,0), L(2,1)
+
+  /// \param e xx, yy and twice xy
+  Number strain_energy(const std::array<Number, 3>& e) const {
+    const Number first = e[0] + l[0] * e[1] + l[1] * e[2], second = e[1] + l[2] * e[2];
+    return (d[0] * first * first + d[1] * second * second + d[2] * e[2] * e[2]) / Number(2);
+  }
+  /// \param s xx, yy, xy
+  Number stress_energy(const std::array<Number, 3>& s) const {
+    const Number second = s[1] - l[0] * s[0], third = s[2] - l[1] * s[0] - l[2] * second;
+    return (s[0] * s[0] / d[0] + second * second / d[1] + third * third / d[2]) / Number(2);
+  }
+};
+
+template <class Number> ElasticForm<Number> elastic_form(const scene::Body<2>& body) {
+  const Number one(1), two(2);
+  if (body.isotropic) {
+    const Number young(body.isotropic->young), poisson(body.isotropic->poisson);
+    const Number shear = young / (two * (one + poisson));
+    const Number bulk = body.isotropic->plane_stress
+                            ? young / (two * (one - poisson))
+                            : young / (two * (one + poisson) * (one - poisson - poisson));  // not 2 ν, which rounds
+    // C = [bulk + shear, bulk − shear, 0; ·, bulk + shear, 0; 0, 0, shear]
+    const Number sum = bulk + shear;
+    return {{sum, two * two * bulk * shear / sum, shear}, {(bulk - shear) / sum, Number(0), Number(0)}};
+  }
+  const auto c = [&](int i, int j) { return Number(body.stiffness(i, j)); };
+  ElasticForm<Number> form;
+  form.d[0] = c(0, 0);
+  form.l[0] = c(1, 0) / form.d[0];
+  form.l[1] = c(2, 0) / form.d[0];
+  form.d[1] = c(1, 1) - form.l[0] * c(1, 0);
+  form.l[2] = (c(2, 1) - form.l[1] * c(1, 0)) / form.d[1];
+  form.d[2] = c(2, 2) - form.l[1] * c(2, 0) - form.l[2] * form.l[2] * form.d[1];
+  return form;
+}
+
+template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const scene::Problem<2>& problem) {
+  std::vector<ElasticForm<Number>> forms;
+  for (const auto& body : problem.bodies) forms.push_back(elastic_form<Number>(body));
+  return forms;
+}
+
+/// ∫ of the energy over a triangle of a linear field, given at the corners.
+/// \param energy of a field's value   \param doubled_area of the triangle
+template <class Number, class Energy>
+Number integral(const Energy& energy, const std::array<std::array<Number, 3>, 3>& corners, const Number& doubled_area) {
+  std::array<Number, 3> sum;
+  for (int i = 0; i < 3; ++i) sum[i] = corners[0][i] + corners[1][i] + corners[2][i];
+  return doubled_area / Number(24) * (energy(corners[0]) + energy(corners[1]) + energy(corners[2]) + energy(sum));
+}
+
+}  // namespace bracket::bounds

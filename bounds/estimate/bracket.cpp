@@ -1,0 +1,123 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/estimate/on_mesh.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+
+template <int dim>
+PlainEnergies plain_energies(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                             const dual::Stress<dim>& stress, const Indicator& indicator) {
+  const PotentialEnergy potential = potential_energy(problem, displacement);
+  PlainEnergies plain{0 - complementary_energy(problem, stress), potential.total, potential.strain, 0};
+  const double misfit = std::abs(indicator.sum - (plain.upper - plain.lower));
+  if (misfit > 0)
+    plain.gap_identity = misfit / std::max({std::abs(plain.lower), std::abs(plain.upper), potential.strain});
+  return plain;
+}
+
+Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator) {
+  const double width = upper - lower;
+  double contact = 0;
+  for (const double share : indicator.contact) contact += share;
+  Bracket result{lower, upper};
+  if (width == 0) return result;
+  result.relative_width = width / std::max(std::abs(lower), std::abs(upper));
+  result.error_bound = std::sqrt(2 * width);
+  result.mean_stress_error_bound = std::sqrt(std::max(0.0, (width + contact) / 2));
+  result.relative_error_bound = result.error_bound / std::sqrt(2 * strain_energy);
+  return result;
+}
+
+namespace {
+
+/// Gauss–Legendre with five points on (0,1).
+constexpr std::array<double, 5> gauss_points = {0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                                0.953089922969332};
+constexpr std::array<double, 5> gauss_weights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                                 0.23931433524968324, 0.11846344252809454};
+
+/// ∫ f over a facet, f a function of the position s in (0,1) along it.
+template <class Function> double over_facet(double length, const Function& f) {
+  double sum = 0;
+  for (std::size_t q = 0; q < gauss_points.size(); ++q) sum += length * gauss_weights[q] * f(gauss_points[q]);
+  return sum;
+}
+
+template <class Value> Value linear(const std::array<Value, 2>& ends, double s) {
+  return (1 - s) * ends[0] + s * ends[1];
+}
+
+/// Values at 0, 1 and ½.
+template <class Value> Value quadratic(const std::array<Value, 3>& v, double s) {
+  return (1 - s) * (1 - 2 * s) * v[0] + s * (2 * s - 1) * v[1] + 4 * s * (1 - s) * v[2];
+}
+
+}  // namespace
+
+template <int dim>
+double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
+                          const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress) {
+  using scene::ConditionKind;
+  const auto& mesh = problem.mesh;
+  double energy = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int part = mesh.boundary[f].part;
+    const auto condition = part < 0 ? scene.boundary.end() : scene.boundary.find(mesh.parts[part]);
+    if (condition == scene.boundary.end()) continue;
+    const int facet = static_cast<int>(f);
+    const auto& data = problem.facets[f];
+    const auto& given = condition->second;
+    const auto& ends = mesh.boundary[f].vertices;
+    const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
+    const Vector<dim>& n = data.normal;
+    const auto vector_at = [&](double s) -> Vector<dim> {
+      const Vector<dim> at = linear(x, s);
+      if (given.value.size() == 1)
+        return given.value[0](at) * (given.kind == ConditionKind::pressure ? Vector<dim>(-n) : n);
+      return Vector<dim>(given.value[0](at), given.value[1](at));
+    };
+    const double length = scene::length(mesh, facet);
+    if (data.support == Support::traction) {
+      // What was taken off is orthogonal to linear functions; of linear displacements only the mean is taken off, as
+      // what they lack of the exact ones is not known.
+      const auto u = on_facet(mesh, displacement, facet);
+      const std::array<Vector<dim>, 2> ends_of_u = {u[0], u[1]};
+      const Vector<dim> mean = (u[0] + u[1]) / 2;
+      energy += over_facet(length, [&](double s) {
+        const Vector<dim> rest = displacement.degree == 2 ? Vector<dim>(quadratic(u, s) - linear(ends_of_u, s))
+                                                          : Vector<dim>(linear(ends_of_u, s) - mean);
+        return (vector_at(s) - linear(data.traction, s)).norm() * rest.norm();
+      });
+    } else {
+      const auto t = tractions(mesh, stress, facet);
+      energy += over_facet(length, [&](double s) {
+        const Vector<dim> fixed = data.support == Support::fixed ? linear(data.displacement, s)
+                                                                 : Vector<dim>(linear(data.normal_displacement, s) * n);
+        return std::abs((vector_at(s) - fixed).dot(linear(t, s)));
+      });
+    }
+  }
+  const auto states = contact_state(problem, displacement, stress);
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const auto& ends = mesh.boundary[pair.first].vertices;
+    const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
+    energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
+      const double moved = scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s);
+      return std::abs(linear(states[j].pressure, s) * moved);
+    });
+  }
+  return energy;
+}
+
+template PlainEnergies plain_energies(const scene::Problem<2>&, const primal::Displacement<2>&,
+                                      const dual::Stress<2>&, const Indicator&);
+template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const primal::Displacement<2>&,
+                                   const dual::Stress<2>&);
+
+}  // namespace bracket::bounds

@@ -1,0 +1,172 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/estimate/on_mesh.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+using scene::Voigt;
+
+namespace {
+
+/// Keeps the largest value; a NaN stays.
+void raise(double& largest, double value) {
+  if (value > largest || std::isnan(value)) largest = value;
+}
+
+/// The size of what deforms: the largest strain over the whole length, the gaps and the prescribed displacements. Rigid
+/// motions stay out, so that a body that flies off does not hide how far it penetrates.
+template <int dim>
+double displacement_scale(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+  double strain = 0;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+    for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
+  return strain * problem.length_scale + largest_given(problem);
+}
+
+template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
+  double largest = 0;
+  for (const auto& cell : stress.cell)
+    for (const auto& s : cell) raise(largest, s.norm());
+  return largest;
+}
+
+template <int dim>
+double penetration(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                   const std::vector<ContactState>& states) {
+  double worst = 0;
+  for (const auto& state : states) {
+    const auto& [g0, g1, middle] = state.gap_left;
+    for (const double coefficient : {g0, g1, 2 * middle - g0 / 2 - g1 / 2}) raise(worst, -coefficient);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support != Support::fixed && data.support != Support::sliding) continue;
+    const auto u = on_facet(problem.mesh, displacement, static_cast<int>(f));
+    const Vector<dim>& n = data.normal;
+    const auto& d = data.displacement;
+    const auto& s = data.normal_displacement;
+    for (int i = 0; i < 3; ++i) {
+      if (data.support == Support::fixed) raise(worst, (u[i] - (i < 2 ? d[i] : Vector<dim>((d[0] + d[1]) / 2))).norm());
+      else raise(worst, std::abs(u[i].dot(n) - (i < 2 ? s[i] : (s[0] + s[1]) / 2)));
+    }
+  }
+  return worst;
+}
+
+/// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which
+/// are exact: far from the origin the centroid itself would be rounded by more than small cells bear.
+template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh, int cell, int k) {
+  const auto& v = mesh.cells[cell];
+  const Vector<dim>&a = mesh.vertices[v[(k + 1) % 3]], &b = mesh.vertices[v[(k + 2) % 3]], &c = mesh.vertices[v[k]];
+  return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<dim>::Zero()};
+}
+
+/// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
+template <int dim>
+double equilibrium(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress, int cell) {
+  const auto& mesh = problem.mesh;
+  const auto& corners = stress.cell[cell];
+  double worst = 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto x = part(mesh, cell, k);
+    const Vector<dim>&a = x[0], &b = x[1];
+    const Voigt<dim> along_a = corners[3 * k] - corners[3 * k + 2], along_b = corners[3 * k + 1] - corners[3 * k + 2];
+    // Gradient of a linear field from its slopes along a and b.
+    const double det = a[0] * b[1] - a[1] * b[0];
+    const Voigt<dim> dx = (b[1] * along_a - a[1] * along_b) / det, dy = (a[0] * along_b - b[0] * along_a) / det;
+    const Vector<dim> divergence(dx[0] + dy[2], dx[2] + dy[1]);
+    const double diameter = std::max({a.norm(), b.norm(), (a - b).norm()});
+    raise(worst, (divergence + problem.bodies[mesh.cell_body[cell]].force).norm() * diameter);
+    // Corner 1 of part k and corner 0 of part k+1 are the same vertex; corner 2 is the centroid of both.
+    const Vector<dim> n = Vector<dim>(b[1], -b[0]).normalized();
+    const int next = 3 * ((k + 1) % 3);
+    raise(worst, traction<dim>(corners[3 * k + 1] - corners[next], n).norm());
+    raise(worst, traction<dim>(corners[3 * k + 2] - corners[next + 2], n).norm());
+  }
+  return worst;
+}
+
+/// λn at the two ends of every edge, from each of its cells; the lower vertex first.
+template <int dim> double interface_jump(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+  const auto& mesh = problem.mesh;
+  std::vector<std::array<Vector<dim>, 2>> sum(mesh.edges.size(), {Vector<dim>::Zero(), Vector<dim>::Zero()});
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const int edge = mesh.cell_edges[c][k];
+      const int a = mesh.cells[c][(k + 1) % 3], b = mesh.cells[c][(k + 2) % 3];
+      const Vector<dim> along = mesh.vertices[b] - mesh.vertices[a];
+      const Vector<dim> n = Vector<dim>(along[1], -along[0]).normalized();
+      sum[edge][a < b ? 0 : 1] += traction<dim>(stress.cell[c][3 * k], n);
+      sum[edge][a < b ? 1 : 0] += traction<dim>(stress.cell[c][3 * k + 1], n);
+    }
+  for (const auto& facet : mesh.boundary) sum[facet.edge] = {Vector<dim>::Zero(), Vector<dim>::Zero()};
+  double worst = 0;
+  for (const auto& ends : sum)
+    for (const auto& jump : ends) raise(worst, jump.norm());
+  for (const auto& pair : problem.contact) {
+    if (pair.second < 0) continue;
+    const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
+    for (int i = 0; i < 2; ++i) raise(worst, (first[i] + second[1 - i]).norm());
+  }
+  return worst;
+}
+
+struct BoundaryMisfit {
+  double traction = 0;
+  double tension = 0;
+};
+
+template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+  BoundaryMisfit worst;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support == Support::fixed) continue;
+    const auto t = tractions(problem.mesh, stress, static_cast<int>(f));
+    const Vector<dim>& n = data.normal;
+    for (int i = 0; i < 2; ++i) {
+      if (data.support == Support::traction) raise(worst.traction, (t[i] - data.traction[i]).norm());
+      else raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
+      if (data.support == Support::contact) raise(worst.tension, t[i].dot(n));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+template <int dim>
+Checks admissibility(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+                     const dual::Stress<dim>& stress) {
+  double equilibrium_misfit = 0;
+  for (std::size_t c = 0; c < stress.cell.size(); ++c)
+    raise(equilibrium_misfit, equilibrium(problem, stress, static_cast<int>(c)));
+  const BoundaryMisfit boundary = boundary_misfit(problem, stress);
+  const auto relative = [](double value, double scale) { return value == 0 ? 0 : value / scale; };
+  const double u = displacement_scale(problem, displacement), s = largest_stress(stress);
+  Checks checks;
+  checks.penetration = relative(penetration(problem, displacement, contact_state(problem, displacement, stress)), u);
+  checks.equilibrium = relative(equilibrium_misfit, s);
+  checks.interface_jump = relative(interface_jump(problem, stress), s);
+  checks.boundary_traction = relative(boundary.traction, s);
+  checks.tension = relative(boundary.tension, s);
+  return checks;
+}
+
+Check Checks::worst() const {
+  Check worst{"penetration", penetration};
+  for (const Check& check : {Check{"equilibrium", equilibrium}, Check{"interface jump", interface_jump},
+                             Check{"boundary traction", boundary_traction}, Check{"tension", tension},
+                             Check{"gap identity", gap_identity}})
+    if (check.value > worst.value || std::isnan(check.value)) worst = check;
+  return worst;
+}
+
+bool Checks::passed() const { return worst().value <= tolerance; }
+
+template Checks admissibility(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&);
+
+}  // namespace bracket::bounds

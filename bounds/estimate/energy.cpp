@@ -1,0 +1,93 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/estimate/on_mesh.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+using scene::Vector;
+using scene::Voigt;
+
+namespace {
+
+/// Sums over many cells are kept in extended precision: energies cancel to the width of the bracket.
+using Sum = long double;
+
+/// ∫ F·v over a cell: the midpoints of the edges carry a third each, exact for quadratics.
+template <int dim>
+double body_force_work(const scene::Mesh<dim>& mesh, const primal::Displacement<dim>& displacement,
+                       const Vector<dim>& force, int cell) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (int k = 0; k < 3; ++k)
+    sum += displacement.degree == 2 ? displacement.edge[mesh.cell_edges[cell][k]]
+                                    : displacement.vertex[mesh.cells[cell][k]];
+  return scene::volume(mesh, cell) / 3 * force.dot(sum);
+}
+
+/// ∫ a·b over a facet of two linear fields.
+template <class Value>
+double linear_product(const Value& a0, const Value& a1, const Value& b0, const Value& b1, double length) {
+  return length / 6 * (2 * (a0 * b0 + a1 * b1) + a0 * b1 + a1 * b0);
+}
+
+}  // namespace
+
+template <int dim>
+PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+  const auto& mesh = problem.mesh;
+  Sum strain = 0, work = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    const auto& body = problem.bodies[mesh.cell_body[c]];
+    const auto form = [&](const Voigt<dim>& e) { return 0.5 * e.dot(body.stiffness * e); };
+    strain += integrate(form, strain_at_vertices(mesh, displacement, cell), scene::volume(mesh, cell));
+    if (!body.force.isZero(0)) work += body_force_work(mesh, displacement, body.force, cell);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (!scene::is_loaded(data)) continue;
+    const auto u = on_facet(mesh, displacement, static_cast<int>(f));
+    work += simpson(data.traction[0].dot(u[0]), (data.traction[0] + data.traction[1]).dot(u[2]) / 2,
+                    data.traction[1].dot(u[1]), scene::length(mesh, static_cast<int>(f)));
+  }
+  return {static_cast<double>(strain), static_cast<double>(strain - work)};
+}
+
+template <int dim>
+double complementary_energy(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+  const auto& mesh = problem.mesh;
+  Sum energy = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const auto& compliance = problem.bodies[mesh.cell_body[c]].compliance;
+    const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
+    const double part = scene::volume(mesh, static_cast<int>(c)) / 3;
+    const auto& s = stress.cell[c];
+    for (int k = 0; k < 3; ++k) energy += integrate(form, std::array{s[3 * k], s[3 * k + 1], s[3 * k + 2]}, part);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support != Support::fixed && data.support != Support::sliding) continue;
+    const int facet = static_cast<int>(f);
+    const auto t = tractions(mesh, stress, facet);
+    const double length = scene::length(mesh, facet);
+    if (data.support == Support::fixed) {
+      for (int c = 0; c < dim; ++c)
+        energy -= linear_product(t[0][c], t[1][c], data.displacement[0][c], data.displacement[1][c], length);
+    } else {
+      const Vector<dim>& n = data.normal;
+      const auto& [u0, u1] = data.normal_displacement;
+      energy -= linear_product(t[0].dot(n), t[1].dot(n), u0, u1, length);
+    }
+  }
+  for (const auto& pair : problem.contact) {
+    const auto t = tractions(mesh, stress, pair.first);
+    const Vector<dim>& n = problem.facets[pair.first].normal;
+    const double p0 = -t[0].dot(n), p1 = -t[1].dot(n);
+    energy += simpson(p0 * pair.gap[0], (p0 + p1) / 2 * pair.gap[2], p1 * pair.gap[1], scene::length(mesh, pair.first));
+  }
+  return static_cast<double>(energy);
+}
+
+template PotentialEnergy potential_energy(const scene::Problem<2>&, const primal::Displacement<2>&);
+template double complementary_energy(const scene::Problem<2>&, const dual::Stress<2>&);
+
+}  // namespace bracket::bounds

@@ -1,0 +1,199 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/problem/matching.h"
+#include "scene/problem/normals.h"
+#include "scene/problem/projection.h"
+#include "scene/range.h"
+#include "scene/problem/support.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+/// \param others names that might be meant as well
+int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where,
+               const std::vector<std::string>& others = {}) {
+  const auto found = std::find(mesh.parts.begin(), mesh.parts.end(), name);
+  if (found == mesh.parts.end()) {
+    std::vector<std::string> known = others;
+    known.insert(known.end(), mesh.parts.begin(), mesh.parts.end());
+    fail(Status::input, where, fmt::format("the mesh has no boundary part '{}': {}", name, suggestion(name, known)));
+  }
+  return static_cast<int>(found - mesh.parts.begin());
+}
+
+std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
+  std::vector<std::string> given;
+  for (const auto& [name, body] : scene.bodies) {
+    given.push_back(name);
+    if (std::find(mesh.bodies.begin(), mesh.bodies.end(), name) == mesh.bodies.end()) {
+      fail(Status::input, body.where,
+           fmt::format("the mesh has no body '{}': {}", name, suggestion(name, mesh.bodies)));
+    }
+  }
+  std::vector<Body<2>> bodies;
+  for (const std::string& name : mesh.bodies) {
+    const auto body = scene.bodies.find(name);
+    if (body == scene.bodies.end()) {
+      fail(Status::input, scene.file,
+           fmt::format("the mesh has a body '{0}', but [bodies.{0}] is missing; the scene has: {1}", name,
+                       fmt::join(given, ", ")));
+    }
+    bodies.push_back(body->second);
+  }
+  return bodies;
+}
+
+/// The condition of each part, null: none.
+std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh<2>& mesh) {
+  std::vector<const Condition<2>*> conditions(mesh.parts.size(), nullptr);
+  for (const auto& [name, condition] : scene.boundary) {
+    conditions[part_named(mesh, name, condition.where)] = &condition;
+  }
+  return conditions;
+}
+
+/// The facets in contact, pair by pair; gaps are still to be filled in.
+std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
+                                     const std::vector<const Condition<2>*>& conditions) {
+  std::vector<int> pair_of_part(mesh.parts.size(), -1);
+  std::vector<ContactFacet> contact;
+  for (std::size_t i = 0; i < scene.contact.size(); ++i) {
+    const ContactPair<2>& pair = scene.contact[i];
+    const auto claim = [&](const std::string& name, const std::vector<std::string>& others = {}) {
+      const int part = part_named(mesh, name, pair.where, others);
+      if (conditions[part] != nullptr) {
+        fail(Status::input, pair.where,
+             fmt::format("the part '{}' is in contact and has a condition of its own ({})", name,
+                         conditions[part]->where));
+      }
+      if (pair_of_part[part] != -1) {
+        fail(Status::input, pair.where,
+             pair_of_part[part] == static_cast<int>(i)
+                 ? fmt::format("first and second are the same part '{}'", name)
+                 : fmt::format("the part '{}' is in another contact pair already", name));
+      }
+      pair_of_part[part] = static_cast<int>(i);
+      return part;
+    };
+    const int first = claim(pair.first);
+    if (pair.second == "rigid") {
+      if (std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end()) {
+        fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
+      }
+      for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+        if (mesh.boundary[facet].part != first) continue;
+        contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}});
+      }
+    } else {
+      for (const auto& [one, other] : match_sides(mesh, first, claim(pair.second, {"rigid"}), pair.where)) {
+        contact.push_back({static_cast<int>(i), one, other, {}});
+      }
+    }
+  }
+  return contact;
+}
+
+/// Largest error and largest value over facets.
+struct Extent {
+  double error = 0, largest = 0;
+
+  template <int n> void include(const EdgeValues<n>& values) {
+    error = std::max(error, values.error);
+    largest = std::max(largest, values.largest);
+  }
+  double relative() const { return largest > 0 ? error / largest : 0; }
+};
+
+struct FixedFacets {
+  std::vector<FacetData<2>> facets;
+  Extent traction, displacement;
+};
+
+FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions) {
+  FixedFacets fixed;
+  fixed.facets.resize(mesh.boundary.size());
+  const std::vector<Vector<2>> normals = shared_normals(mesh);
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+    const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
+    FacetData<2>& data = fixed.facets[facet];
+    data.normal = normals[facet];
+    if (part == -1 || conditions[part] == nullptr) continue;
+    const Condition<2>& condition = *conditions[part];
+    const Vector<2>& a = mesh.vertices[vertices[0]];
+    const Vector<2>& b = mesh.vertices[vertices[1]];
+    if (condition.kind == ConditionKind::fixed) data.support = Support::fixed;
+    if (condition.kind == ConditionKind::sliding) data.support = Support::sliding;
+    const bool load = data.support == Support::traction;
+    for (std::size_t i = 0; i < condition.value.size(); ++i) {
+      const EdgeValues<2> values = load ? project(condition.value[i], a, b, condition.where)
+                                        : interpolate_linear(condition.value[i], a, b, condition.where);
+      (load ? fixed.traction : fixed.displacement).include(values);
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double value = values.value[end];
+        switch (condition.kind) {
+          case ConditionKind::fixed: data.displacement[end][i] = value; break;
+          case ConditionKind::sliding: data.normal_displacement[end] = value; break;
+          case ConditionKind::traction: data.traction[end][i] = value; break;
+          case ConditionKind::pressure: data.traction[end] = -value * data.normal; break;
+        }
+      }
+    }
+  }
+  return fixed;
+}
+
+double bounding_box_diagonal(const Mesh<2>& mesh) {
+  Vector<2> low = mesh.vertices[0], high = mesh.vertices[0];
+  for (const Vector<2>& vertex : mesh.vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  return (high - low).norm();
+}
+
+}  // namespace
+
+template <int dim> bool is_loaded(const FacetData<dim>& data) {
+  return data.support == Support::traction && !(data.traction[0].isZero(0) && data.traction[1].isZero(0));
+}
+
+template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
+  static_assert(dim == 2);
+  Problem<dim> problem;
+  problem.bodies = bodies_of(scene, mesh);
+  const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);
+  problem.contact = contact_of(scene, mesh, conditions);
+  problem.mesh = with_sides_joined(std::move(mesh), problem.contact);
+  problem.length_scale = bounding_box_diagonal(problem.mesh);
+
+  FixedFacets fixed = fix_facets(problem.mesh, conditions);
+  problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
+  Extent gap;
+  for (ContactFacet& facet : problem.contact) {
+    problem.facets[facet.first].support = Support::contact;
+    if (facet.second != -1) problem.facets[facet.second].support = Support::contact;
+    const ContactPair<dim>& pair = scene.contact[facet.pair];
+    const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
+    const EdgeValues<3> values =
+        interpolate_quadratic(pair.gap, problem.mesh.vertices[a], problem.mesh.vertices[b], pair.where);
+    facet.gap = values.value;
+    gap.include(values);
+  }
+  gap.error = std::max(gap.error, make_room(problem));
+  check_size(problem.length_scale, scene.file, "the diameter of the mesh");
+  check_size(fixed.traction.largest, scene.file, "the largest traction");
+  check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");
+  check_size(gap.largest, scene.file, "the largest gap");
+  problem.oscillation = {fixed.traction.relative(), fixed.displacement.relative(), gap.relative()};
+  return problem;
+}
+
+template bool is_loaded(const FacetData<2>&);
+template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
+
+}  // namespace bracket::scene

@@ -1,0 +1,152 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/problem/matching.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+std::vector<int> facets_of(const Mesh<2>& mesh, int part) {
+  std::vector<int> facets;
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+    if (mesh.boundary[facet].part == part) facets.push_back(static_cast<int>(facet));
+  }
+  return facets;
+}
+
+const Vector<2>& end_of(const Mesh<2>& mesh, int facet, int end) {
+  return mesh.vertices[mesh.boundary[facet].vertices[end]];
+}
+
+Vector<2> midpoint(const Mesh<2>& mesh, int facet) { return 0.5 * (end_of(mesh, facet, 0) + end_of(mesh, facet, 1)); }
+
+double tolerance(const Mesh<2>& mesh, int facet) {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * midpoint(mesh, facet).cwiseAbs().maxCoeff();
+  return std::max(1e-8 * length(mesh, facet), rounding);
+}
+
+/// A facet's place in a hierarchy of grids: its level is the binary order of its length, the grid of that level is as
+/// wide. Only a few facets can have the same box, however the mesh is graded.
+using Box = std::array<double, 3>;
+
+Box box(double size, double x, double y) {
+  const double level = std::ilogb(size);
+  const double width = std::exp2(level);
+  return {level, std::floor(x / width), std::floor(y / width)};
+}
+
+/// The boxes in which a facet coinciding with this one may be.
+std::vector<Box> boxes_near(const Mesh<2>& mesh, int facet) {
+  const Vector<2> middle = midpoint(mesh, facet);
+  const double near = tolerance(mesh, facet);
+  const double size = length(mesh, facet);
+  std::vector<Box> boxes;
+  for (const double candidate : {std::max(size - 2 * near, 0.5 * size), size + 2 * near}) {
+    for (const double x : {middle[0] - near, middle[0] + near}) {
+      for (const double y : {middle[1] - near, middle[1] + near}) boxes.push_back(box(candidate, x, y));
+    }
+  }
+  std::sort(boxes.begin(), boxes.end());
+  boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+  return boxes;
+}
+
+bool coincide(const Mesh<2>& mesh, int first, int second) {
+  const double near = tolerance(mesh, first);
+  return (end_of(mesh, first, 0) - end_of(mesh, second, 1)).norm() <= near &&
+         (end_of(mesh, first, 1) - end_of(mesh, second, 0)).norm() <= near;
+}
+
+struct Entry {
+  Box box;
+  int facet;
+  bool taken = false;
+};
+
+bool before(const Entry& a, const Entry& b) { return a.box < b.box; }
+
+std::vector<Entry> entries(const Mesh<2>& mesh, const std::vector<int>& facets) {
+  std::vector<Entry> result;
+  for (const int facet : facets) {
+    const Vector<2> middle = midpoint(mesh, facet);
+    result.push_back({box(length(mesh, facet), middle[0], middle[1]), facet});
+  }
+  std::sort(result.begin(), result.end(), before);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::array<int, 2>> match_sides(const Mesh<2>& mesh, int first_part, int second_part,
+                                            const std::string& where) {
+  const std::vector<int> first = facets_of(mesh, first_part);
+  std::vector<Entry> second = entries(mesh, facets_of(mesh, second_part));
+  std::vector<std::array<int, 2>> pairs;
+  int unmatched = -1;
+  for (const int facet : first) {
+    const std::size_t found = pairs.size();
+    for (const Box& near : boxes_near(mesh, facet)) {
+      const auto [from, to] = std::equal_range(second.begin(), second.end(), Entry{near, -1}, before);
+      const auto match = std::find_if(
+          from, to, [&](const Entry& entry) { return !entry.taken && coincide(mesh, facet, entry.facet); });
+      if (match == to) continue;
+      match->taken = true;
+      pairs.push_back({facet, match->facet});
+      break;
+    }
+    if (pairs.size() == found && unmatched == -1) unmatched = facet;
+  }
+  if (unmatched == -1) {
+    const auto left = std::find_if(second.begin(), second.end(), [](const Entry& entry) { return !entry.taken; });
+    if (left == second.end()) return pairs;
+    unmatched = left->facet;
+  }
+  fail(Status::mesh, where,
+       fmt::format("the sides do not match edge by edge: {0} of {1} edges of '{2}' and {0} of {3} of '{4}' do; the one "
+                   "of '{5}' from {6} to {7} has no counterpart",
+                   pairs.size(), first.size(), mesh.parts[first_part], second.size(), mesh.parts[second_part],
+                   mesh.parts[mesh.boundary[unmatched].part], point(end_of(mesh, unmatched, 0)),
+                   point(end_of(mesh, unmatched, 1))));
+}
+
+Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact) {
+  // A vertex may be in several pairs: all that lie on each other get the same point.
+  std::vector<int> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int vertex) {
+    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
+  };
+  for (const ContactFacet& pair : contact) {
+    if (pair.second == -1) continue;
+    const auto& first = mesh.boundary[pair.first].vertices;
+    const auto& second = mesh.boundary[pair.second].vertices;
+    parent[root(second[1])] = root(first[0]);
+    parent[root(second[0])] = root(first[1]);
+  }
+  double moved = 0;
+  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    const Vector<2>& target = mesh.vertices[root(static_cast<int>(vertex))];
+    moved = std::max(moved, (target - mesh.vertices[vertex]).norm());
+    mesh.vertices[vertex] = target;
+  }
+  if (moved == 0) return mesh;
+  mesh.notes.push_back(fmt::format("vertices on contact sides moved by up to {:.2g} to coincide", moved));
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    if (volume(mesh, static_cast<int>(cell)) > 0) continue;
+    fail(Status::mesh, "",
+         fmt::format("making contact sides coincide turns the cell at {} over: it is too thin",
+                     point(mesh.vertices[mesh.cells[cell][0]])));
+  }
+  return mesh;
+}
+
+}  // namespace bracket::scene

@@ -1,0 +1,87 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/problem/normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace bracket::scene {
+
+namespace {
+
+constexpr double coordinate_rounding = 1e-6;  // radians
+
+/// A boundary facet and the angle of its normal, modulo π.
+struct Line {
+  double angle;
+  int facet;
+};
+
+Line line(const Mesh<2>& mesh, int facet) {
+  const Vector<2> n = normal(mesh, facet);
+  const bool upper = n[1] > 0 || (n[1] == 0 && n[0] > 0);
+  return {upper ? std::atan2(n[1], n[0]) : std::atan2(-n[1], -n[0]), facet};
+}
+
+/// All boundary facets by angle, which begins behind the widest gap on the circle of lines.
+std::vector<Line> sorted_lines(const Mesh<2>& mesh) {
+  std::vector<Line> lines;
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet)
+    lines.push_back(line(mesh, static_cast<int>(facet)));
+  std::sort(lines.begin(), lines.end(),
+            [](const Line& a, const Line& b) { return std::pair(a.angle, a.facet) < std::pair(b.angle, b.facet); });
+  std::size_t begin = 0;
+  double widest = lines.front().angle + std::numbers::pi - lines.back().angle;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].angle - lines[i - 1].angle <= widest) continue;
+    widest = lines[i].angle - lines[i - 1].angle;
+    begin = i;
+  }
+  for (std::size_t i = 0; i < begin; ++i) lines[i].angle += std::numbers::pi;
+  std::rotate(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(begin), lines.end());
+  return lines;
+}
+
+/// Cuts where neighbours differ by more than `step`, and finer what hangs together over more than ten steps. It ends at
+/// the latest when only equal angles hang together.
+std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double step) {
+  std::vector<std::span<const Line>> result;
+  for (std::size_t from = 0, to = 1; from < lines.size(); from = to++) {
+    while (to < lines.size() && lines[to].angle - lines[to - 1].angle <= step) ++to;
+    const auto cluster = lines.subspan(from, to - from);
+    if (cluster.back().angle - cluster.front().angle <= 10 * step) {
+      result.push_back(cluster);
+    } else {
+      const auto finer = clusters(cluster, step / 10);
+      result.insert(result.end(), finer.begin(), finer.end());
+    }
+  }
+  return result;
+}
+
+/// The normal of the facet that stands for a cluster.
+Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster) {
+  const auto rank = [&](const Line& line) {
+    const bool along_axis = (normal(mesh, line.facet).array() == 0).any();
+    return std::pair(along_axis, length(mesh, line.facet));
+  };
+  const auto best = std::max_element(cluster.begin(), cluster.end(),
+                                     [&](const Line& a, const Line& b) { return rank(a) < rank(b); });
+  return normal(mesh, best->facet);
+}
+
+}  // namespace
+
+std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh) {
+  std::vector<Vector<2>> normals(mesh.boundary.size());
+  const std::vector<Line> lines = sorted_lines(mesh);
+  for (const auto& cluster : clusters(lines, coordinate_rounding)) {
+    const Vector<2> shared = direction(mesh, cluster);
+    for (const Line& line : cluster)
+      normals[line.facet] = shared.dot(normal(mesh, line.facet)) > 0 ? shared : Vector<2>(-shared);
+  }
+  return normals;
+}
+
+}  // namespace bracket::scene

@@ -1,0 +1,120 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/problem/support.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+/// The two boundary facets at each vertex: the one that ends there and the one that begins; −1 at inner vertices.
+std::vector<std::array<int, 2>> facets_at_vertices(const Mesh<2>& mesh) {
+  std::vector<std::array<int, 2>> facets(mesh.vertices.size(), {-1, -1});
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+    const auto& [begin, end] = mesh.boundary[facet].vertices;
+    facets[begin][1] = facets[end][0] = static_cast<int>(facet);
+  }
+  return facets;
+}
+
+}  // namespace
+
+std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetData<2>> facets,
+                                         const std::vector<const Condition<2>*>& conditions, double largest) {
+  const double tolerance = 1e-9 * largest;
+  const auto prescribes = [&](int facet) {
+    return facets[facet].support == Support::fixed || facets[facet].support == Support::sliding;
+  };
+  const auto facets_at = facets_at_vertices(mesh);
+  for (std::size_t begins = 0; begins < facets.size(); ++begins) {
+    const int vertex = mesh.boundary[begins].vertices[0];
+    const int leaving = static_cast<int>(begins);
+    const int ends = facets_at[vertex][0];
+    if (!prescribes(leaving) || !prescribes(ends)) continue;
+    FacetData<2>& out = facets[leaving];
+    FacetData<2>& in = facets[ends];
+    double difference = 0;
+    if (in.support == Support::fixed && out.support == Support::fixed) {
+      difference = (out.displacement[0] - in.displacement[1]).norm();
+      out.displacement[0] = in.displacement[1];
+    } else if (in.support == Support::fixed) {
+      const double value = out.normal.dot(in.displacement[1]);
+      difference = std::abs(out.normal_displacement[0] - value);
+      out.normal_displacement[0] = value;
+    } else if (out.support == Support::fixed) {
+      const double value = in.normal.dot(out.displacement[0]);
+      difference = std::abs(in.normal_displacement[1] - value);
+      in.normal_displacement[1] = value;
+    } else if (in.normal == out.normal || in.normal == -out.normal) {
+      const double value = (in.normal == out.normal ? 1 : -1) * in.normal_displacement[1];
+      difference = std::abs(out.normal_displacement[0] - value);
+      out.normal_displacement[0] = value;
+    }
+    if (difference <= tolerance) continue;
+    const int part_in = mesh.boundary[ends].part, part_out = mesh.boundary[leaving].part;
+    fail(Status::input, conditions[part_out]->where,
+         fmt::format("the displacements prescribed on '{}' and '{}' contradict each other at {}: they differ by {:.3g}",
+                     mesh.parts[part_in], mesh.parts[part_out], point(mesh.vertices[vertex]), difference));
+  }
+  return facets;
+}
+
+namespace {
+
+/// What is prescribed at one end of a contact facet, in more digits than the data have.
+struct Prescribed {
+  long double along = 0;  ///< the displacement along d
+  double size = 0;        ///< of the whole
+};
+
+/// \return nothing where the displacement along d is free
+std::optional<Prescribed> prescribed(const FacetData<2>& data, int end, const Vector<2>& d) {
+  if (data.support == Support::fixed) {
+    const Vector<2>& u = data.displacement[end];
+    return Prescribed{static_cast<long double>(u[0]) * d[0] + static_cast<long double>(u[1]) * d[1], u.norm()};
+  }
+  const double u = data.normal_displacement[end];
+  if (data.support == Support::sliding && data.normal == d) return Prescribed{u, std::abs(u)};
+  if (data.support == Support::sliding && data.normal == -d) return Prescribed{-u, std::abs(u)};
+  return {};
+}
+
+/// Raises a gap that is less than the approach by no more than the tolerance. \return by how much
+double raise(double& gap, long double approach, double tolerance) {
+  if (approach <= gap || approach - gap > tolerance) return 0;
+  const double before = gap;
+  gap = static_cast<double>(approach);
+  if (gap < approach) gap = std::nextafter(gap, std::numeric_limits<double>::infinity());
+  return gap - before;
+}
+
+}  // namespace
+
+double make_room(Problem<2>& problem) {
+  const Mesh<2>& mesh = problem.mesh;
+  const auto facets_at = facets_at_vertices(mesh);
+  const auto at_end = [&](int facet, int end, const Vector<2>& d) {  // what the neighbour there prescribes
+    return prescribed(problem.facets[facets_at[mesh.boundary[facet].vertices[end]][end]], 1 - end, d);
+  };
+  double most = 0;
+  for (ContactFacet& facet : problem.contact) {
+    const Vector<2>& d = problem.facets[facet.first].normal;
+    for (int end = 0; end < 2; ++end) {
+      const auto first = at_end(facet.first, end, d);
+      const auto second = facet.second == -1 ? Prescribed{} : at_end(facet.second, 1 - end, d);
+      if (!first || !second) continue;
+      const double size = first->size + second->size + std::abs(facet.gap[end]) + problem.length_scale;
+      most = std::max(
+          most, raise(facet.gap[end], first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size));
+    }
+  }
+  return most;
+}
+
+}  // namespace bracket::scene

@@ -1,0 +1,120 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/toml/nodes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scene/toml/expression.h"
+#include "scene/range.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+[[noreturn]] void refuse(const toml::node& node, const std::string& message) {
+  fail(Status::input, where(node), message);
+}
+
+std::string type_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "a list";
+    case toml::node_type::string: return "a string";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "a boolean";
+    default: return "a date or time";
+  }
+}
+
+}  // namespace
+
+std::string where(const toml::source_region& source) {
+  const std::string path = source.path ? *source.path : "";
+  if (path.starts_with("--set ")) return path;
+  return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
+}
+
+void check_keys(const toml::table& table, const std::string& name, const std::vector<std::string>& known) {
+  for (const auto& [key, node] : table) {
+    const std::string found{key.str()};
+    if (std::find(known.begin(), known.end(), found) != known.end()) continue;
+    fail(Status::input, where(key.source()),
+         fmt::format("unknown key '{}'{}: {}", found, name.empty() ? "" : " in " + name, suggestion(found, known)));
+  }
+}
+
+const toml::node& required(const toml::table& table, const std::string& name, const std::string& key) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) refuse(table, fmt::format("'{}' is missing{}", key, name.empty() ? "" : " in " + name));
+  return *node;
+}
+
+double number(const toml::node& node, const std::string& name) {
+  if (!node.is_number()) refuse(node, fmt::format("{} must be a number, not {}", name, type_of(node)));
+  const double value = *node.value<double>();
+  if (!std::isfinite(value)) refuse(node, fmt::format("{} must be finite, is {}", name, value));
+  check_size(value, where(node), name);
+  return value;
+}
+
+int integer(const toml::node& node, const std::string& name, int smallest) {
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value) {
+    refuse(node,
+           fmt::format("{} must be an integer, not {}", name, node.is_floating_point() ? "a fraction" : type_of(node)));
+  }
+  if (*value < smallest || *value > std::numeric_limits<int>::max()) {
+    refuse(node, fmt::format("{} must be an integer from {} to {}, is {}", name, smallest,
+                             std::numeric_limits<int>::max(), *value));
+  }
+  return static_cast<int>(*value);
+}
+
+std::string text(const toml::node& node, const std::string& name) {
+  const auto value = node.value_exact<std::string>();
+  if (!value) refuse(node, fmt::format("{} must be a string, not {}", name, type_of(node)));
+  return *value;
+}
+
+std::string label(const toml::node& node, const std::string& name) {
+  const std::string value = text(node, name);
+  if (value.empty()) refuse(node, fmt::format("{} must not be empty", name));
+  return value;
+}
+
+const toml::table& table(const toml::node& node, const std::string& name) {
+  const toml::table* value = node.as_table();
+  if (value == nullptr) refuse(node, fmt::format("{} must be a table, not {}", name, type_of(node)));
+  return *value;
+}
+
+const toml::array& list(const toml::node& node, const std::string& name, std::size_t size) {
+  const toml::array* value = node.as_array();
+  if (value == nullptr || value->size() != size) {
+    refuse(node, fmt::format("{} must be a list of {}, not {}", name, size,
+                             value == nullptr ? type_of(node) : fmt::format("of {}", value->size())));
+  }
+  return *value;
+}
+
+const toml::array& tables(const toml::node& node, const std::string& name) {
+  const toml::array* value = node.as_array();
+  if (value == nullptr || value->empty() || !value->is_homogeneous(toml::node_type::table)) {
+    refuse(node, fmt::format("{0} must be a list of tables, written [[{0}]] once for each", name));
+  }
+  return *value;
+}
+
+Function<2> function(const toml::node& node, const std::string& name) {
+  if (node.is_string()) return parse_expression(text(node, name), where(node));
+  if (!node.is_number()) {
+    refuse(node, fmt::format("{} must be a number or an expression in x and y, not {}", name, type_of(node)));
+  }
+  return [value = number(node, name)](const Vector<2>&) { return value; };
+}
+
+}  // namespace bracket::scene
