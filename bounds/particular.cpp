@@ -24,10 +24,10 @@ Loads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Refere
 
 }  // namespace
 
-template <int dim> dual::Stress<dim> particular_stress(const scene::Problem<dim>& problem) {
+template <int dim> scene::Stress<dim> particular_stress(const scene::Problem<dim>& problem) {
   const std::vector<Reference> about = references(problem.mesh);
   const Loads<Enclosure> loads = handed_on(problem, about, held(problem, about));
-  dual::Stress<dim> stress;
+  scene::Stress<dim> stress;
   stress.cell.resize(problem.mesh.cells.size());
   for (std::size_t c = 0; c < stress.cell.size(); ++c) {
     const int cell = static_cast<int>(c);
@@ -40,6 +40,6 @@ template <int dim> dual::Stress<dim> particular_stress(const scene::Problem<dim>
   return stress;
 }
 
-template dual::Stress<2> particular_stress(const scene::Problem<2>&);
+template scene::Stress<2> particular_stress(const scene::Problem<2>&);
 
 }  // namespace bracket::bounds

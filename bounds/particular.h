@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dual/dual.h"
+#include "scene/scene.h"
 
 namespace bracket::bounds {
 
@@ -9,6 +9,6 @@ namespace bracket::bounds {
 /// certificate's loads balance: reactions on as few facets as hold the bodies, handed on from cell to cell. Its contact
 /// tractions may be tension (Remark 2.1).
 /// \pre check_solvability()   \throw scene::Error (not_guaranteed) where rounding hides how a body is held
-template <int dim> dual::Stress<dim> particular_stress(const scene::Problem<dim>& problem);
+template <int dim> scene::Stress<dim> particular_stress(const scene::Problem<dim>& problem);
 
 }  // namespace bracket::bounds

@@ -10,6 +10,8 @@
 #include "bounds/skipped.h"
 #include "bounds/unstrained.h"
 #include "contact/clock.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 
 namespace bracket::bounds {
 

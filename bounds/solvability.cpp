@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "bounds/bounds.h"
+#include "primal/primal.h"
 
 namespace bracket::bounds {
 

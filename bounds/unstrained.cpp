@@ -33,29 +33,29 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, do
 }  // namespace
 
 template <int dim>
-bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   if (has_loads(problem)) return false;
   constexpr double rounding = 1e-14;  // of displacements, relative: some tens of the last place
   return potential_energy(problem, displacement).strain <= energy_of_noise(problem, rounding * largest_given(problem));
 }
 
-template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
-  dual::Stress<dim> stress;
+template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
+  scene::Stress<dim> stress;
   stress.cell.resize(mesh.cells.size());
   for (auto& cell : stress.cell) cell.fill(scene::Voigt<dim>::Zero());
   return stress;
 }
 
-template <int dim> primal::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree) {
+template <int dim> scene::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree) {
   const scene::Vector<dim> none = scene::Vector<dim>::Zero();
-  primal::Displacement<dim> displacement{degree, {}, {}};
+  scene::Displacement<dim> displacement{degree, {}, {}};
   displacement.vertex.assign(mesh.vertices.size(), none);
   if (degree == 2) displacement.edge.assign(mesh.edges.size(), none);
   return displacement;
 }
 
-template bool is_unstrained(const scene::Problem<2>&, const primal::Displacement<2>&);
-template dual::Stress<2> no_stress(const scene::Mesh<2>&);
-template primal::Displacement<2> no_displacement(const scene::Mesh<2>&, int);
+template bool is_unstrained(const scene::Problem<2>&, const scene::Displacement<2>&);
+template scene::Stress<2> no_stress(const scene::Mesh<2>&);
+template scene::Displacement<2> no_displacement(const scene::Mesh<2>&, int);
 
 }  // namespace bracket::bounds

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bounds/bounds.h"
+#include "bounds/estimate/estimate.h"
 
 namespace bracket::bounds {
 
@@ -9,11 +9,11 @@ namespace bracket::bounds {
 /// strain energy than the rounding of those data makes. Then L(u) is 0, as 0 ≤ L(u) ≤ L(u_h); and so is the best
 /// stress, λ = 0, which is in K⁺_{0,0}.
 template <int dim>
-bool is_unstrained(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement);
+bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
 /// λ = 0
-template <int dim> dual::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
+template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
 /// u = 0
-template <int dim> primal::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree);
+template <int dim> scene::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree);
 
 }  // namespace bracket::bounds

@@ -15,7 +15,7 @@ using ModeVector = Eigen::Matrix<double, n_modes, 1>;
 using LoadMatrix = Eigen::Matrix<double, n_loads, n_modes>;
 using LoadVector = Eigen::Matrix<double, n_loads, 1>;
 using CellMatrix = Eigen::Matrix<double, n_loads, n_loads>;
-/// Stress at the corners of the three parts, numbered as in dual::Stress.
+/// Stress at the corners of the three parts, numbered as in scene::Stress.
 using Corners = std::array<scene::Voigt<2>, 9>;
 using Triangle = std::array<scene::Vector<2>, 3>;
 

@@ -7,17 +7,10 @@
 /// Stresses: the lower bound. Self-equilibrated triangular block elements (design §1.4; HH81 §2.1, §3).
 namespace bracket::dual {
 
-/// A stress field, linear on the three parts of each cell, which meet at its centroid. Part k holds the edge opposite
-/// to vertex k; its corners are vertex k+1, vertex k+2 (mod 3) and the centroid.
-template <int dim> struct Stress {
-  using Voigt = scene::Voigt<dim>;
-  std::vector<std::array<Voigt, 9>> cell;  ///< [3 k + corner] of each cell
-};
-
 template <int dim> struct Result {
   contact::Outcome outcome = contact::Outcome::solved;
   std::string reason;  ///< if not solved: one line
-  Stress<dim> stress;
+  scene::Stress<dim> stress;
   std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
   int unknowns = 0;          ///< edge displacements that are not prescribed
   int rows = 0;
@@ -38,6 +31,6 @@ template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const s
 /// not_converged, the latter also where no pressure balances the loads.
 /// \param particular λ̄ [HH81, §2]: linear on the parts of each cell, tractions continuous, div λ̄ = −F, λ̄n = P on
 ///     Γ_τ, no shear on Γ_0 and Γ_K, one pressure for both sides of Γ_K, which may be a tension (Remark 2.1)
-template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const Stress<dim>& particular);
+template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular);
 
 }  // namespace bracket::dual

@@ -142,7 +142,7 @@ void balance_tractions(const Problem<dim>& problem, const Layout& layout, const 
 
 /// λ = λ̄ + Σ s_k τ_k at the corners. \param loads tractions and pressures on the edge displacements of each body
 template <int dim>
-Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
+scene::Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
                     const contact::Solution& solution) {
   Amplitudes amplitude(problem.mesh.cells.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
@@ -151,7 +151,7 @@ Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std
     amplitude[c] = amplitudes(cell, edge_displacements(cell, elastic, cell.prescribed));
   }
   for (int step = 0; step < 2; ++step) balance_tractions(problem, layout, loads, solution, amplitude);
-  Stress<dim> stress;
+  scene::Stress<dim> stress;
   stress.cell.resize(amplitude.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
     const Cell cell = make_cell(problem, layout, static_cast<int>(c));
@@ -204,7 +204,6 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vec
   return result;
 }
 
-template struct Stress<2>;
 template struct Result<2>;
 template Result<2> solve(const Problem<2>&, const std::vector<char>&);
 

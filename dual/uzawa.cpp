@@ -75,7 +75,7 @@ Iterated iterate(const UzawaSystem& system) {
 }
 
 template <int dim>
-Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, Stress<dim> stress,
+scene::Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, scene::Stress<dim> stress,
                     const Parameters& parameters) {
   for (std::size_t c = 0; c < parameters.size(); ++c) {
     const BlockElement block = make_cell(problem, layout, static_cast<int>(c)).block;
@@ -88,7 +88,7 @@ Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, St
 
 }  // namespace
 
-template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const Stress<dim>& particular) {
+template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular) {
   const Clock assembling;
   Result<dim> result;
   const UzawaSystem system = uzawa_system(problem, particular);
@@ -118,6 +118,6 @@ template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const S
   return result;
 }
 
-template Result<2> uzawa(const scene::Problem<2>&, const Stress<2>&);
+template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::dual

@@ -28,7 +28,7 @@ Eigen::Matrix2d ends_from_moments(double length) {
 
 template <int dim>
 UzawaCell uzawa_cell(const Problem<dim>& problem, const Layout& layout, int c, int first_multiplier,
-                     const Stress<dim>& particular) {
+                     const scene::Stress<dim>& particular) {
   const Cell cell = make_cell(problem, layout, c);  // λ̄ takes the place of its weight
   const int body = problem.mesh.cell_body[c];
   UzawaCell result{half_stiffness(cell.block), cell.unknowns, cell.prescribed, {}};
@@ -54,7 +54,7 @@ template <int dim> void take_ends_on_contact(const Problem<dim>& problem, std::v
 
 template <int dim>
 std::vector<Opening> openings(const Problem<dim>& problem, const std::vector<UzawaCell>& cells,
-                              const Stress<dim>& particular) {
+                              const scene::Stress<dim>& particular) {
   const auto& mesh = problem.mesh;
   const Eigen::VectorXd gaps = gap_moments(problem);
   // A facet runs along its cell's edge: its vertex i is the end i.
@@ -111,7 +111,7 @@ Eigen::VectorXd diagonal(const UzawaSystem& system) {
 
 }  // namespace
 
-template <int dim> UzawaSystem uzawa_system(const Problem<dim>& problem, const Stress<dim>& particular) {
+template <int dim> UzawaSystem uzawa_system(const Problem<dim>& problem, const scene::Stress<dim>& particular) {
   const Layout layout = lay_out(problem);
   const std::vector<int> first = first_multipliers(layout);
   UzawaSystem system;
@@ -165,6 +165,6 @@ Eigen::VectorXd next_multipliers(const UzawaSystem& system, const Eigen::VectorX
   return next;
 }
 
-template UzawaSystem uzawa_system(const Problem<2>&, const Stress<2>&);
+template UzawaSystem uzawa_system(const Problem<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::dual

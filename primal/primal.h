@@ -7,17 +7,10 @@
 /// Displacements: the upper bound. Lagrange elements on triangles, exactly admissible: u_h ∈ K (design §1.3).
 namespace bracket::primal {
 
-/// A continuous displacement field, linear (degree 1) or quadratic (degree 2) on each cell.
-template <int dim> struct Displacement {
-  int degree = 2;
-  std::vector<scene::Vector<dim>> vertex;  ///< at Mesh::vertices
-  std::vector<scene::Vector<dim>> edge;    ///< at the midpoints of Mesh::edges; empty for degree 1
-};
-
 template <int dim> struct Result {
   contact::Outcome outcome = contact::Outcome::solved;
   std::string reason;  ///< if not solved: one line, with the body and the motion
-  Displacement<dim> displacement;
+  scene::Displacement<dim> displacement;
   std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
   int unknowns = 0;
   int rows = 0;

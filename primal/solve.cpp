@@ -131,9 +131,9 @@ Eigen::VectorXd set_contact_rows(const std::vector<Row>& rows, std::vector<conta
 }
 
 template <int dim>
-Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
+scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
                           const std::vector<Eigen::VectorXd>& unknowns) {
-  Displacement<dim> field;
+  scene::Displacement<dim> field;
   field.degree = nodes.degree;
   field.vertex.resize(mesh.vertices.size());
   field.edge.resize(nodes.degree == 2 ? mesh.edges.size() : 0);
@@ -193,7 +193,6 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, co
   return result;
 }
 
-template struct Displacement<2>;
 template struct Result<2>;
 template void check_prescribed(const Problem<2>&, int);
 template Result<2> solve(const Problem<2>&, int, const std::vector<char>&);

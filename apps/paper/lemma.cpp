@@ -56,7 +56,7 @@ void add_part(const scene::Mesh<2>& mesh, int cell, int part, const dual::Corner
     }
 }
 
-Forces work_of_stress(const scene::Mesh<2>& mesh, const dual::Stress<2>& stress) {
+Forces work_of_stress(const scene::Mesh<2>& mesh, const scene::Stress<2>& stress) {
   Forces forces(mesh);
   for (int c = 0; c < static_cast<int>(mesh.cells.size()); ++c)
     for (int part = 0; part < 3; ++part) add_part(mesh, c, part, stress.cell[c], forces);
@@ -102,7 +102,7 @@ void project_on_cone(const scene::Problem<2>& problem, Forces& v) {
 }
 
 /// −min (∫ λ : ε(v) − ℓ(v)) over the quadratics v of K with coefficients of norm one, by the norm of ∫ λ : ε.
-double work_below_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress) {
+double work_below_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
   Forces forces = work_of_stress(problem.mesh, stress);
   const double size = forces.norm();
   subtract_loads(problem, forces);
@@ -113,7 +113,7 @@ double work_below_loads(const scene::Problem<2>& problem, const dual::Stress<2>&
   return descent.norm() / size;
 }
 
-double largest(const dual::Stress<2>& stress) {
+double largest(const scene::Stress<2>& stress) {
   double size = 0;
   for (const auto& corners : stress.cell)
     for (const Voigt<2>& s : corners) size = std::max(size, s.cwiseAbs().maxCoeff());
@@ -135,7 +135,7 @@ dual::Corners shear_of_side(const scene::Mesh<2>& mesh, int cell, int side, doub
 struct Case {
   std::string label;
   scene::Problem<2> problem;
-  dual::Stress<2> stress;
+  scene::Stress<2> stress;
 };
 
 Case broken(std::string label, const bounds::Outcome<2>& solved, int cell, const dual::Corners& added) {

@@ -7,14 +7,14 @@
 
 namespace bracket::apps {
 
-scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int edge) {
+scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int edge) {
   if (displacement.degree == 2) return displacement.edge[edge];
   const auto [a, b] = mesh.edges[edge];
   return (displacement.vertex[a] + displacement.vertex[b]) / 2;
 }
 
 /// The shape functions of the quadratics are −1/9 at the vertices' nodes there, 4/9 at those of the edges.
-scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell) {
+scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell) {
   scene::Vector<2> vertices = scene::Vector<2>::Zero(), edges = vertices;
   for (int k = 0; k < 3; ++k) {
     vertices += displacement.vertex[mesh.cells[cell][k]];
@@ -24,7 +24,7 @@ scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacem
 }
 
 std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
-                                            const primal::Displacement<2>& displacement, int facet) {
+                                            const scene::Displacement<2>& displacement, int facet) {
   const auto& at = problem.mesh.boundary[facet];
   const auto stress = bounds::displacement_stress(problem, displacement, at.cell);
   const scene::Vector<2> d = problem.facets[facet].normal;
@@ -68,7 +68,7 @@ double largest_pressure(const scene::Problem<2>& problem, const std::vector<boun
   return largest;
 }
 
-double rounding_of_pressure(const scene::Problem<2>& problem, const dual::Stress<2>& stress,
+double rounding_of_pressure(const scene::Problem<2>& problem, const scene::Stress<2>& stress,
                             const std::vector<bounds::ContactState>& contact, int pair) {
   constexpr double of_stress = 1e-11;  // the certificate drops what is less
   const scene::Mesh<2>& mesh = problem.mesh;

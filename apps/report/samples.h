@@ -10,13 +10,13 @@
 namespace bracket::apps {
 
 /// u_h at the midpoint of an edge and at the centroid of a cell.
-scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int edge);
-scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const primal::Displacement<2>& displacement, int cell);
+scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int edge);
+scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell);
 
 /// Pressure −d·σ(u_h)d at the vertices 0 and 1 of a contact pair's first facet, whose outward normal is d; linear
 /// between.
 std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
-                                            const primal::Displacement<2>& displacement, int facet);
+                                            const scene::Displacement<2>& displacement, int facet);
 
 /// Contact facets of one pair that follow one another along its first side.
 using Chain = std::vector<int>;  ///< indices into Problem::contact
@@ -28,7 +28,7 @@ double largest_pressure(const scene::Problem<2>& problem, const std::vector<boun
 
 /// The pressure up to which a contact facet of a pair is open but for rounding errors of λ_h: by the pair's largest
 /// and, where that is rounding itself, by the largest stress in the pair's bodies.
-double rounding_of_pressure(const scene::Problem<2>& problem, const dual::Stress<2>& stress,
+double rounding_of_pressure(const scene::Problem<2>& problem, const scene::Stress<2>& stress,
                             const std::vector<bounds::ContactState>& contact, int pair);
 
 /// Whether λ_h presses on a contact facet. \param rounding of its pair, as rounding_of_pressure()

@@ -112,8 +112,8 @@ void append(std::vector<double>& points, const scene::Vector<2>& point) {
 
 }  // namespace
 
-std::string solution_vtu(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
-                         const dual::Stress<2>& stress, const bounds::Indicator& indicator) {
+std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                         const scene::Stress<2>& stress, const bounds::Indicator& indicator) {
   const scene::Mesh<2>& mesh = problem.mesh;
   Grid grid{.cell_type = 5, .points_per_cell = 3, .points = {}, .point_data = {}, .cell_data = {}};
   std::vector<float> displacements, of_displacement, equilibrated, share, density;

@@ -13,8 +13,8 @@ namespace bracket::apps {
 /// Point data: displacement (x, y, 0), stress_displacement σ(u_h) and stress_equilibrated λ_h (xx, yy, xy). Cell data:
 /// body (index), indicator (the cell's term of the gap identity, the same on its three parts) and indicator_density
 /// (that term by the area of the cell).
-std::string solution_vtu(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
-                         const dual::Stress<2>& stress, const bounds::Indicator& indicator);
+std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                         const scene::Stress<2>& stress, const bounds::Indicator& indicator);
 
 /// Each contact facet as a line with points of its own, at its place on the first side. Point data: pressure (of λ_h)
 /// and gap (what u_h leaves of it, g − r). Cell data: pair (index) and indicator.

@@ -33,7 +33,7 @@ std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
 
 namespace {
 
-PlainField plain(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                  const std::vector<VertexSupport>& supports) {
   PlainField field{displacement.vertex, {}};
   for (std::size_t v = 0; v < supports.size(); ++v)
@@ -100,7 +100,7 @@ bool make_way_between(const scene::Problem<2>& problem, const std::vector<Vertex
 
 }  // namespace
 
-AdmissibleField admissible_field(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                  const std::vector<VertexSupport>& supports) {
   constexpr int most = 100;
   PlainField field = plain(problem, displacement, supports);

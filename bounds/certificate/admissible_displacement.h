@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "bounds/certificate/elastic_form.h"
-#include "primal/primal.h"
+#include "scene/fields.h"
 
 /// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
 namespace bracket::bounds {
@@ -101,7 +101,7 @@ struct AdmissibleField {
   std::optional<PlainField> field;
   std::string reason;
 };
-AdmissibleField admissible_field(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
+AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                  const std::vector<VertexSupport>& supports);
 
 template <class Number> struct FieldEnergy {

@@ -5,7 +5,7 @@
 
 #include "bounds/certificate/admissible_displacement.h"
 #include "bounds/certificate/block_stress.h"
-#include "dual/dual.h"
+#include "scene/fields.h"
 
 /// Edge loads in balance with the data exactly, and the energy of their stresses: real numbers that `Number` encloses
 /// or holds exactly.
@@ -19,7 +19,7 @@ struct PlainLoads {
   std::vector<std::array<double, 2>> along_normal;    ///< of each facet at its vertices 0 and 1: Γ_0: along the outward
                                                       ///< normal; Γ_K, first sides only: the pressure, ≥ 0
 };
-PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress);
+PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
 
 /// Loads on a facet in addition to its tractions, per unit of the parameter τ along it, at its vertices 0 and 1.
 template <class Number> struct AddedLoad {

@@ -5,20 +5,20 @@
 #include <cmath>
 #include <future>
 
-#include "bounds/bounds.h"
+#include "bounds/certificate/certificate.h"
 #include "bounds/certificate/equilibrate.h"
 
 namespace bracket::bounds {
 
 namespace {
 
-bool all_finite(const primal::Displacement<2>& displacement) {
+bool all_finite(const scene::Displacement<2>& displacement) {
   const auto finite = [](const scene::Vector<2>& u) { return u.allFinite(); };
   return std::all_of(displacement.vertex.begin(), displacement.vertex.end(), finite) &&
          std::all_of(displacement.edge.begin(), displacement.edge.end(), finite);
 }
 
-bool all_finite(const dual::Stress<2>& stress) {
+bool all_finite(const scene::Stress<2>& stress) {
   return std::all_of(stress.cell.begin(), stress.cell.end(), [](const auto& cell) {
     return std::all_of(cell.begin(), cell.end(), [](const scene::Voigt<2>& s) { return s.allFinite(); });
   });
@@ -58,7 +58,7 @@ struct FromStress {
   double added_load = 0;
 };
 FromStress from_stress(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                       const dual::Stress<2>& stress) {
+                       const scene::Stress<2>& stress) {
   constexpr double negligible = 1e-10;
   FromStress result;
   auto [loads, reason] = balanced<Enclosure, LongSum>(problem, plain_loads(problem, stress));
@@ -76,8 +76,8 @@ FromStress from_stress(const scene::Problem<2>& problem, const std::vector<Verte
 }  // namespace
 
 template <int dim>
-Certificate certify(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                    const dual::Stress<dim>& stress) {
+Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                    const scene::Stress<dim>& stress) {
   // A comparison with what is not a number is false, and might pass for a pressure of zero.
   if (!all_finite(displacement)) return {.reason = "the displacements are not finite"};
   if (!all_finite(stress)) return {.reason = "the stresses are not finite"};
@@ -106,6 +106,6 @@ Certificate certify(const scene::Problem<dim>& problem, const primal::Displaceme
   return certificate;
 }
 
-template Certificate certify(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&);
+template Certificate certify(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::bounds

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "bounds/estimate/on_mesh.h"
 
 namespace bracket::bounds {
 
@@ -36,7 +35,16 @@ void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
 
 }  // namespace
 
-PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& stress) {
+namespace {
+
+/// σ n
+Vector<2> on(const scene::Voigt<2>& stress, const Vector<2>& n) {
+  return {stress[0] * n[0] + stress[2] * n[1], stress[2] * n[0] + stress[1] * n[1]};
+}
+
+}  // namespace
+
+PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
   const auto& mesh = problem.mesh;
   PlainLoads loads;
   loads.edge.assign(mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
@@ -47,8 +55,8 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const dual::Stress<2>& 
       const int from = mesh.cells[c][(k + 1) % 3], to = mesh.cells[c][(k + 2) % 3];
       const Vector<2> e = mesh.vertices[to] - mesh.vertices[from];
       const Vector<2> normal(e[1], -e[0]);  // as long as the edge
-      const Vector<2> begin = traction<2>(stress.cell[c][3 * k], normal);
-      const Vector<2> end = traction<2>(stress.cell[c][3 * k + 1], normal);
+      const Vector<2> begin = on(stress.cell[c][3 * k], normal);
+      const Vector<2> end = on(stress.cell[c][3 * k + 1], normal);
       const bool along = mesh.edges[edge][0] == from;
       loads.edge[edge][0] += along ? begin : Vector<2>(-end);
       loads.edge[edge][1] += along ? end : Vector<2>(-begin);

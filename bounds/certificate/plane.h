@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene/scene.h"
+#include "scene/problem/problem.h"
 
 /// Vectors of the plane over any kind of number, for what is computed in enclosures, and exactly in the tests.
 namespace bracket::bounds {

@@ -10,8 +10,8 @@ using scene::Support;
 using scene::Vector;
 
 template <int dim>
-PlainEnergies plain_energies(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                             const dual::Stress<dim>& stress, const Indicator& indicator) {
+PlainEnergies plain_energies(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                             const scene::Stress<dim>& stress, const Indicator& indicator) {
   const PotentialEnergy potential = potential_energy(problem, displacement);
   PlainEnergies plain{0 - complementary_energy(problem, stress), potential.total, potential.strain, 0};
   const double misfit = std::abs(indicator.sum - (plain.upper - plain.lower));
@@ -61,7 +61,7 @@ template <class Value> Value quadratic(const std::array<Value, 3>& v, double s) 
 
 template <int dim>
 double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
-                          const primal::Displacement<dim>& displacement, const dual::Stress<dim>& stress) {
+                          const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress) {
   using scene::ConditionKind;
   const auto& mesh = problem.mesh;
   double energy = 0;
@@ -115,9 +115,9 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
   return energy;
 }
 
-template PlainEnergies plain_energies(const scene::Problem<2>&, const primal::Displacement<2>&,
-                                      const dual::Stress<2>&, const Indicator&);
-template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const primal::Displacement<2>&,
-                                   const dual::Stress<2>&);
+template PlainEnergies plain_energies(const scene::Problem<2>&, const scene::Displacement<2>&,
+                                      const scene::Stress<2>&, const Indicator&);
+template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const scene::Displacement<2>&,
+                                   const scene::Stress<2>&);
 
 }  // namespace bracket::bounds

@@ -20,14 +20,14 @@ void raise(double& largest, double value) {
 /// The size of what deforms: the largest strain over the whole length, the gaps and the prescribed displacements. Rigid
 /// motions stay out, so that a body that flies off does not hide how far it penetrates.
 template <int dim>
-double displacement_scale(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+double displacement_scale(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   double strain = 0;
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
     for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
   return strain * problem.length_scale + largest_given(problem);
 }
 
-template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
+template <int dim> double largest_stress(const scene::Stress<dim>& stress) {
   double largest = 0;
   for (const auto& cell : stress.cell)
     for (const auto& s : cell) raise(largest, s.norm());
@@ -35,7 +35,7 @@ template <int dim> double largest_stress(const dual::Stress<dim>& stress) {
 }
 
 template <int dim>
-double penetration(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
+double penetration(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                    const std::vector<ContactState>& states) {
   double worst = 0;
   for (const auto& state : states) {
@@ -67,7 +67,7 @@ template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh,
 
 /// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
 template <int dim>
-double equilibrium(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress, int cell) {
+double equilibrium(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress, int cell) {
   const auto& mesh = problem.mesh;
   const auto& corners = stress.cell[cell];
   double worst = 0;
@@ -91,7 +91,7 @@ double equilibrium(const scene::Problem<dim>& problem, const dual::Stress<dim>& 
 }
 
 /// λn at the two ends of every edge, from each of its cells; the lower vertex first.
-template <int dim> double interface_jump(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+template <int dim> double interface_jump(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   std::vector<std::array<Vector<dim>, 2>> sum(mesh.edges.size(), {Vector<dim>::Zero(), Vector<dim>::Zero()});
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -120,7 +120,7 @@ struct BoundaryMisfit {
   double tension = 0;
 };
 
-template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   BoundaryMisfit worst;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -139,8 +139,8 @@ template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& pro
 }  // namespace
 
 template <int dim>
-Checks admissibility(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                     const dual::Stress<dim>& stress) {
+Checks admissibility(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                     const scene::Stress<dim>& stress) {
   double equilibrium_misfit = 0;
   for (std::size_t c = 0; c < stress.cell.size(); ++c)
     raise(equilibrium_misfit, equilibrium(problem, stress, static_cast<int>(c)));
@@ -167,6 +167,6 @@ Check Checks::worst() const {
 
 bool Checks::passed() const { return worst().value <= tolerance; }
 
-template Checks admissibility(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&);
+template Checks admissibility(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::bounds

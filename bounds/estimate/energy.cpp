@@ -14,7 +14,7 @@ using Sum = long double;
 
 /// ∫ F·v over a cell: the midpoints of the edges carry a third each, exact for quadratics.
 template <int dim>
-double body_force_work(const scene::Mesh<dim>& mesh, const primal::Displacement<dim>& displacement,
+double body_force_work(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                        const Vector<dim>& force, int cell) {
   Vector<dim> sum = Vector<dim>::Zero();
   for (int k = 0; k < 3; ++k)
@@ -32,7 +32,7 @@ double linear_product(const Value& a0, const Value& a1, const Value& b0, const V
 }  // namespace
 
 template <int dim>
-PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement) {
+PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   const auto& mesh = problem.mesh;
   Sum strain = 0, work = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -53,7 +53,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const prima
 }
 
 template <int dim>
-double complementary_energy(const scene::Problem<dim>& problem, const dual::Stress<dim>& stress) {
+double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   Sum energy = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -87,7 +87,7 @@ double complementary_energy(const scene::Problem<dim>& problem, const dual::Stre
   return static_cast<double>(energy);
 }
 
-template PotentialEnergy potential_energy(const scene::Problem<2>&, const primal::Displacement<2>&);
-template double complementary_energy(const scene::Problem<2>&, const dual::Stress<2>&);
+template PotentialEnergy potential_energy(const scene::Problem<2>&, const scene::Displacement<2>&);
+template double complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::bounds

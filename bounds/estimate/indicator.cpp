@@ -8,8 +8,8 @@ using scene::Voigt;
 
 template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
-                                        const primal::Displacement<dim>& displacement,
-                                        const dual::Stress<dim>& stress) {
+                                        const scene::Displacement<dim>& displacement,
+                                        const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   std::vector<ContactState> states;
   states.reserve(problem.contact.size());
@@ -32,8 +32,8 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
 }
 
 template <int dim>
-Indicator indicator(const scene::Problem<dim>& problem, const primal::Displacement<dim>& displacement,
-                    const dual::Stress<dim>& stress) {
+Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                    const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   Indicator result;
   long double sum = 0;
@@ -64,8 +64,8 @@ Indicator indicator(const scene::Problem<dim>& problem, const primal::Displaceme
   return result;
 }
 
-template std::vector<ContactState> contact_state(const scene::Problem<2>&, const primal::Displacement<2>&,
-                                                 const dual::Stress<2>&);
-template Indicator indicator(const scene::Problem<2>&, const primal::Displacement<2>&, const dual::Stress<2>&);
+template std::vector<ContactState> contact_state(const scene::Problem<2>&, const scene::Displacement<2>&,
+                                                 const scene::Stress<2>&);
+template Indicator indicator(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
 
 }  // namespace bracket::bounds

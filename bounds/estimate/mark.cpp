@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "bounds/bounds.h"
+#include "bounds/estimate/estimate.h"
 
 namespace bracket::bounds {
 

@@ -11,7 +11,7 @@ using scene::Voigt;
 
 template <int dim>
 std::array<Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh,
-                                             const primal::Displacement<dim>& displacement, int cell) {
+                                             const scene::Displacement<dim>& displacement, int cell) {
   const auto& v = mesh.cells[cell];
   const double twice_area = 2 * scene::volume(mesh, cell);
   std::array<Vector<dim>, 3> gradient;  // of the barycentric coordinates
@@ -37,14 +37,14 @@ std::array<Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh,
 
 template <int dim>
 std::array<Voigt<dim>, 3> displacement_stress(const scene::Problem<dim>& problem,
-                                              const primal::Displacement<dim>& displacement, int cell) {
+                                              const scene::Displacement<dim>& displacement, int cell) {
   auto field = strain_at_vertices(problem.mesh, displacement, cell);
   for (auto& value : field) value = (problem.bodies[problem.mesh.cell_body[cell]].stiffness * value).eval();
   return field;
 }
 
 template <int dim>
-std::array<Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const primal::Displacement<dim>& displacement,
+std::array<Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                                     int facet) {
   const auto& f = mesh.boundary[facet];
   const Vector<dim>&a = displacement.vertex[f.vertices[0]], &b = displacement.vertex[f.vertices[1]];
@@ -52,7 +52,7 @@ std::array<Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const primal::
 }
 
 template <int dim>
-std::array<Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const dual::Stress<dim>& stress, int facet) {
+std::array<Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress, int facet) {
   const auto& f = mesh.boundary[facet];
   const Vector<dim> n = scene::normal(mesh, facet);
   const auto& corners = stress.cell[f.cell];
@@ -69,10 +69,10 @@ template <int dim> double largest_given(const scene::Problem<dim>& problem) {
   return largest;
 }
 
-template std::array<Voigt<2>, 3> strain_at_vertices(const scene::Mesh<2>&, const primal::Displacement<2>&, int);
-template std::array<Voigt<2>, 3> displacement_stress(const scene::Problem<2>&, const primal::Displacement<2>&, int);
-template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const primal::Displacement<2>&, int);
-template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const dual::Stress<2>&, int);
+template std::array<Voigt<2>, 3> strain_at_vertices(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::array<Voigt<2>, 3> displacement_stress(const scene::Problem<2>&, const scene::Displacement<2>&, int);
+template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
 template double largest_given(const scene::Problem<2>&);
 
 }  // namespace bracket::bounds

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bounds/bounds.h"
+#include "bounds/estimate/estimate.h"
 
 /// The two fields where the bracket needs them: strains on cells, displacements and tractions on boundary facets.
 namespace bracket::bounds {
@@ -9,16 +9,16 @@ namespace bracket::bounds {
 /// ε(u_h) at the vertices of a cell, between which it is linear (degree 1: constant).
 template <int dim>
 std::array<scene::Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh,
-                                                    const primal::Displacement<dim>& displacement, int cell);
+                                                    const scene::Displacement<dim>& displacement, int cell);
 
 /// Displacement at a boundary facet's vertices 0 and 1 and its midpoint; quadratic between.
 template <int dim>
-std::array<scene::Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const primal::Displacement<dim>& displacement,
+std::array<scene::Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                                            int facet);
 
 /// λn at a boundary facet's vertices 0 and 1; linear between.
 template <int dim>
-std::array<scene::Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const dual::Stress<dim>& stress, int facet);
+std::array<scene::Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress, int facet);
 
 /// The largest of the prescribed displacements and gaps.
 template <int dim> double largest_given(const scene::Problem<dim>& problem);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::bounds {
@@ -15,8 +17,8 @@ constexpr double seen = 1e-2;
 /// Solutions of the two-block scene, to be spoilt.
 struct Solved {
   scene::Problem<2> problem = tests::problem(tests::two_blocks(4));
-  primal::Displacement<2> u = primal::solve(problem, 2).displacement;
-  dual::Stress<2> stress = dual::solve(problem).stress;
+  scene::Displacement<2> u = primal::solve(problem, 2).displacement;
+  scene::Stress<2> stress = dual::solve(problem).stress;
   Checks checks() const { return admissibility(problem, u, stress); }
   int contact_cell() const { return problem.mesh.boundary[problem.contact[0].first].cell; }
 };

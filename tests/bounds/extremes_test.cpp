@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/bounds/certificate/exact_scenes.h"
 
 /// The certificate at moduli, Poisson's ratios and units far from 1.

@@ -4,6 +4,8 @@
 #include <random>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::bounds {
@@ -13,7 +15,7 @@ using scene::Support;
 using scene::Vector;
 
 /// Adds noise where nothing is prescribed.
-primal::Displacement<2> disturbed(const scene::Problem<2>& problem, primal::Displacement<2> u, double size,
+scene::Displacement<2> disturbed(const scene::Problem<2>& problem, scene::Displacement<2> u, double size,
                                   unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> noise(-size, size);

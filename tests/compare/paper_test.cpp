@@ -95,7 +95,7 @@ TEST(Paper, a_resultant_through_the_end_of_the_contact_has_no_pressure_on_any_me
   EXPECT_NE(outcome.reason.find("end of a contact line"), std::string::npos) << outcome.reason;
 }
 
-primal::Displacement<2> moved(const scene::Problem<2>& problem, primal::Displacement<2> displacement,
+scene::Displacement<2> moved(const scene::Problem<2>& problem, scene::Displacement<2> displacement,
                               const std::string& body, const Vector<2>& by) {
   std::vector<char> vertex(problem.mesh.vertices.size(), 0), edge(problem.mesh.edges.size(), 0);
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
@@ -112,7 +112,7 @@ primal::Displacement<2> moved(const scene::Problem<2>& problem, primal::Displace
 
 /// The interval and the pressures do not change when a body is moved in a way that loads and contact leave free. The
 /// motion is at most 10, the strains at rounding level of it: 1e-15 of it by the cell, about 0.1; times stress 0.1.
-void expect_the_same(const bounds::Outcome<2>& outcome, const primal::Displacement<2>& other) {
+void expect_the_same(const bounds::Outcome<2>& outcome, const scene::Displacement<2>& other) {
   const auto before = bounds::certify(outcome.problem, outcome.displacement, outcome.stress);
   const auto after = bounds::certify(outcome.problem, other, outcome.stress);
   ASSERT_TRUE(before.valid && after.valid) << before.reason << after.reason;

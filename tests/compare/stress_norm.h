@@ -5,15 +5,15 @@
 
 namespace bracket::tests {
 
-inline dual::Stress<2> no_stress(const scene::Problem<2>& problem) {
-  dual::Stress<2> stress;
+inline scene::Stress<2> no_stress(const scene::Problem<2>& problem) {
+  scene::Stress<2> stress;
   stress.cell.resize(problem.mesh.cells.size());
   for (auto& cell : stress.cell) cell.fill(scene::Voigt<2>::Zero());
   return stress;
 }
 
 /// ‖a − b‖ in the norm of the complementary energy, √∫ (a − b) : C⁻¹ (a − b): exact at midpoints of edges.
-inline double stress_distance(const scene::Problem<2>& problem, const dual::Stress<2>& a, const dual::Stress<2>& b) {
+inline double stress_distance(const scene::Problem<2>& problem, const scene::Stress<2>& a, const scene::Stress<2>& b) {
   double sum = 0;
   for (std::size_t c = 0; c < a.cell.size(); ++c) {
     const auto& compliance = problem.bodies[problem.mesh.cell_body[c]].compliance;

@@ -1,12 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/bounds.h"
+#include "bounds/particular.h"
+#include "dual/dual.h"
 #include "dual/uzawa.h"
+#include "primal/primal.h"
+#include "tests/compare/stress_norm.h"
+#include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>
 
-#include "bounds/bounds.h"
-#include "bounds/particular.h"
-#include "tests/compare/stress_norm.h"
-#include "tests/support/scenes.h"
 
 namespace bracket::tests {
 namespace {
@@ -41,7 +43,7 @@ std::vector<Case> cases() {
 TEST(Uzawa, particular_stress_balances_the_data) {
   for (const auto& [name, problem] : cases()) {
     const auto stress = bounds::particular_stress(problem);
-    const primal::Displacement<2> rest{1, std::vector<Vector<2>>(problem.mesh.vertices.size(), Vector<2>::Zero()), {}};
+    const scene::Displacement<2> rest{1, std::vector<Vector<2>>(problem.mesh.vertices.size(), Vector<2>::Zero()), {}};
     const auto checks = bounds::admissibility(problem, rest, stress);
     EXPECT_LT(checks.equilibrium, 1e-11) << name;
     EXPECT_LT(checks.interface_jump, 1e-11) << name;

@@ -25,7 +25,7 @@ scene::Mesh<2> distorted(scene::Mesh<2> mesh, double cell, unsigned seed) {
 }
 
 /// Largest difference to a stress field that is linear in x, at all corners.
-double misfit(const scene::Mesh<2>& mesh, const Stress<2>& stress,
+double misfit(const scene::Mesh<2>& mesh, const scene::Stress<2>& stress,
               const std::function<Voigt<2>(const Vector<2>&)>& exact) {
   double worst = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -51,7 +51,7 @@ TEST(Hybrid, a_body_that_is_not_held_in_floating_point_is_named) {
 }
 
 /// A stress field of zeros.
-Stress<2> none(const scene::Mesh<2>& mesh) {
+scene::Stress<2> none(const scene::Mesh<2>& mesh) {
   std::array<Voigt<2>, 9> zero;
   zero.fill(Voigt<2>::Zero());
   return {std::vector(mesh.cells.size(), zero)};

@@ -31,7 +31,7 @@ struct Ended {
 };
 
 /// The work of the loads, with every component of every load counted as positive.
-double absolute_work(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement) {
+double absolute_work(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
   const auto& mesh = problem.mesh;
   double work = 0;
   const auto at = [&](int vertex) { return displacement.vertex[vertex].cwiseAbs(); };

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/bounds/certificate/judge.h"
 #include "tests/bounds/certificate/noise.h"
 #include "tests/support/scenes.h"
@@ -191,7 +193,7 @@ TEST(Certificate, nothing_penetrates_however_little) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> along(-1, 1);
   for (int trial = 0; trial < 500; ++trial) {
-    primal::Displacement<2> u{1, std::vector<Vector<2>>(problem.mesh.vertices.size()), {}};
+    scene::Displacement<2> u{1, std::vector<Vector<2>>(problem.mesh.vertices.size()), {}};
     for (Vector<2>& value : u.vertex) {
       value[0] = along(generator);
       value[1] = static_cast<double>(-static_cast<long double>(value[0]) * d[0] / d[1]);

@@ -153,8 +153,8 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
   return result;
 }
 
-Judged judged(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
-              const dual::Stress<2>& stress) {
+Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+              const scene::Stress<2>& stress) {
   Judged result;
   result.field = admissible_field(problem, displacement, vertex_supports(problem)).field.value();
   result.loads = balanced<Exact, RationalSum>(problem, plain_loads(problem, stress)).loads.value();

@@ -50,8 +50,8 @@ struct Judged {
   ExactStress stress;
 };
 /// \pre its certificate is valid
-Judged judged(const scene::Problem<2>& problem, const primal::Displacement<2>& displacement,
-              const dual::Stress<2>& stress);
+Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+              const scene::Stress<2>& stress);
 
 /// Expects the fields to be admissible, the certificate to contain their energies, and the gap identity.
 void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact);

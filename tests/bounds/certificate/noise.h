@@ -19,13 +19,13 @@ template <class Values> Values noisy(Values values, double keep, double size, st
   return values;
 }
 
-inline primal::Displacement<2> noisy(primal::Displacement<2> u, double keep, double size, std::mt19937& generator) {
+inline scene::Displacement<2> noisy(scene::Displacement<2> u, double keep, double size, std::mt19937& generator) {
   u.vertex = noisy(std::move(u.vertex), keep, size, generator);
   if (u.degree == 2) u.edge = noisy(std::move(u.edge), keep, size, generator);
   return u;
 }
 
-inline dual::Stress<2> noisy(dual::Stress<2> stress, double keep, double size, std::mt19937& generator) {
+inline scene::Stress<2> noisy(scene::Stress<2> stress, double keep, double size, std::mt19937& generator) {
   std::vector<scene::Voigt<2>> values;
   for (const auto& cell : stress.cell) values.insert(values.end(), cell.begin(), cell.end());
   values = noisy(std::move(values), keep, size, generator);

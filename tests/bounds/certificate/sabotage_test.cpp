@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/bounds/certificate/exact_scenes.h"
 #include "tests/bounds/certificate/judge.h"
 #include "tests/bounds/certificate/noise.h"
@@ -17,8 +19,8 @@ std::vector<tests::ExactProblem> problems() {
 }
 
 struct Fields {
-  primal::Displacement<2> displacement;
-  dual::Stress<2> stress;
+  scene::Displacement<2> displacement;
+  scene::Stress<2> stress;
 };
 Fields solved(const scene::Problem<2>& problem, int degree) {
   return {primal::solve(problem, degree).displacement, dual::solve(problem).stress};
@@ -97,7 +99,7 @@ TEST(Sabotage, what_is_not_finite_is_refused_wherever_it_is) {
   const auto [problem, energy] = tests::exact_linear_pressure({}, 2, 1);
   const auto [u, stress] = solved(problem, 2);
   ASSERT_TRUE(certify(problem, u, stress).valid);
-  const auto refused = [&](const primal::Displacement<2>& v, const dual::Stress<2>& s) {
+  const auto refused = [&](const scene::Displacement<2>& v, const scene::Stress<2>& s) {
     const Certificate certificate = certify(problem, v, s);
     EXPECT_FALSE(certificate.valid);
     EXPECT_NE(certificate.reason.find("not finite"), std::string::npos) << certificate.reason;

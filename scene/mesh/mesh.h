@@ -1,0 +1,52 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include "scene/types.h"
+
+namespace bracket::scene {
+
+/// A conforming triangulation of all bodies; bodies share no vertices, each hangs together through edges.
+template <int dim> struct Mesh {
+  std::vector<Vector<dim>> vertices;
+  std::vector<std::array<int, dim + 1>> cells;  ///< vertices, counter-clockwise
+  std::vector<int> cell_body;                   ///< index into `bodies`
+  std::vector<std::string> bodies;              ///< names
+  std::vector<std::array<int, 2>> edges;        ///< vertices, the lower index first
+  std::vector<std::array<int, 3>> cell_edges;   ///< edge k lies opposite to vertex k: from vertex k+1 to k+2 (mod 3)
+  std::vector<char> refinement_edge;            ///< of each cell: the edge (0, 1 or 2) that bisection cuts first
+
+  struct Facet {
+    std::array<int, dim> vertices;  ///< in the order in which its cell is walked counter-clockwise: the body is left
+    int cell;
+    int local;  ///< which edge of the cell
+    int edge;   ///< index into `edges`
+    int part;   ///< index into `parts`, −1: none (such a facet is free)
+  };
+  std::vector<Facet> boundary;     ///< every edge that has a cell on one side only
+  std::vector<std::string> parts;  ///< names of the boundary parts
+  std::vector<std::string> notes;  ///< what was mended on reading, one line each
+};
+
+/// Reads a Gmsh ASCII file, version 2.2 or 4.1, of first-order triangles. Physical surfaces name the bodies, physical
+/// curves the boundary parts. Clockwise cells are turned, with a note. Vertices of no cell are dropped.
+/// \throw Error (input: no such file; mesh: truncated, binary, second order, 3D, empty, degenerate cells, …)
+template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& file);
+
+/// Counts and shape of a mesh. Angles in degrees.
+struct Quality {
+  double smallest_angle = 180;
+  double largest_angle = 0;
+  double smallest_area = 0;
+  double largest_area = 0;
+};
+template <int dim> Quality quality(const Mesh<dim>& mesh);
+
+template <int dim> double volume(const Mesh<dim>& mesh, int cell);       ///< area of a cell
+template <int dim> double length(const Mesh<dim>& mesh, int facet);      ///< of a boundary facet
+template <int dim> Vector<dim> normal(const Mesh<dim>& mesh, int facet); ///< unit outward normal of a boundary facet
+
+}  // namespace bracket::scene

@@ -1,0 +1,25 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/problem/problem.h"
+
+namespace bracket::scene {
+
+/// A problem on a refined mesh, and where its pieces come from.
+template <int dim> struct Refined {
+  Problem<dim> problem;
+  std::vector<int> cell_parent;     ///< of each cell: index into the old Mesh::cells
+  std::vector<int> contact_parent;  ///< of each contact facet: index into the old Problem::contact
+};
+
+/// Newest-vertex bisection: all three edges of a marked cell are halved (it falls into four), and of others as many as
+/// keep the mesh conforming and the two sides of each contact matched. A cell is cut from the midpoint of its
+/// refinement edge to the vertex opposite; a child's refinement edge is opposite to that midpoint, so that the
+/// descendants of one coarse cell have at most four shapes. The problem stays the same: bodies, names and data are
+/// inherited; linear data at a midpoint are the mean of the ends, a gap stays the same parabola. The order is that of
+/// the parents, and vertices keep their numbers. Linear in the number of cells.
+/// \pre `marked` has an entry for each cell; the mesh is from build_mesh(), read_gmsh() or refine()
+/// \throw Error (budget) where cells have become so small that rounding of coordinates spoils their shape
+template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked);
+
+}  // namespace bracket::scene

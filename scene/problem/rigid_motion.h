@@ -1,0 +1,25 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/problem/problem.h"
+
+namespace bracket::scene {
+
+/// An infinitesimal rigid motion: a translation and a rotation (radians, counter-clockwise) about `centre`.
+template <int dim> struct RigidMotion {
+  Vector<dim> translation;
+  double rotation;
+  Vector<dim> centre;
+};
+/// The displacement of the point x.
+template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, const Vector<dim>& x);
+
+/// The rigid motions that the supports of a body leave free (0 … 3 of them), linearly independent, each moving some
+/// point of the body by about 1 [HH81, R ∩ V].
+template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body);
+
+/// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", for messages; coordinates at rounding level are 0.
+/// \pre some point of the body is moved by about 1, as by free_motions()
+template <int dim> std::string describe(const RigidMotion<dim>& motion);
+
+}  // namespace bracket::scene
