@@ -64,11 +64,12 @@ template <int dim> struct Observer {
   std::stop_token stop;                                   ///< asked after each level
 };
 
-/// Solvability: prescribed displacements that keep the contact, and pressures that can balance the loads (HH81 (1.16)).
-/// \param degree of the displacements, 1 or 2
-/// \return the largest relative imbalance that was at rounding level and is removed
-/// \throw scene::Error (ill_posed), with the place on the contact or with the body and the motion
-template <int dim> double check_solvability(const scene::Problem<dim>& problem, int degree);
+/// The problem, which is solvable, with its loads in balance to the last bit along all motions that nothing holds: what
+/// they lack of it is taken off (Problem::corrections), where rounding of the loads, the coordinates and the directions
+/// explains it. Prescribed displacements keep the contact, and pressures can balance the loads [HH81 (1.16)].
+/// \param problem on its first mesh; corrections that it has are made anew   \param degree of the displacements, 1 or 2
+/// \throw scene::Error (ill_posed), with the place on the contact or with the body, the motion and both forces
+template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree);
 
 /// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking
 /// and refinement, until the target or the budget of scene.refine. Where the bodies do but follow the prescribed

@@ -7,31 +7,32 @@ namespace bracket::bounds {
 
 namespace {
 
-/// The loads of the data alone.
-Loads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Reference>& about) {
-  PlainLoads none;
-  none.edge.assign(problem.mesh.edges.size(), {scene::Vector<2>::Zero(), scene::Vector<2>::Zero()});
-  none.along_normal.assign(problem.facets.size(), {0, 0});
-  PlainLoads pressed = none;  // reactions are taken where there is pressure: here it may be anywhere
+/// The loads of the data alone, with reactions; pressures may be taken anywhere.
+EdgeLoads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Reference>& about) {
+  const auto [corrections, reason] = corrected<Enclosure, LongSum>(problem);
+  PlainLoads pressed = no_loads(problem);
   for (const auto& pair : problem.contact) pressed.along_normal[pair.first] = {1, 1};
-  Loads<Enclosure> loads = loads_of<Enclosure>(problem, none);
-  if (!hold<Enclosure, LongSum>(problem, about, reactions(problem, about, pressed, {}), loads))
+  EdgeLoads<Enclosure> loads = loads_of<Enclosure>(problem, no_loads(problem), corrections);
+  const std::vector<Reaction> chosen = reactions(problem, about, pressed, {});
+  const auto amounts = amounts_that_hold<Enclosure, LongSum>(problem, about, chosen, loads);
+  if (!reason.empty() || !amounts)
     throw scene::Error(scene::Status::not_guaranteed,
                        "solve.dual = \"uzawa\": no supports or contacts were found that hold the bodies, as its "
                        "particular stress needs; write solve.dual = \"hybrid\"");
+  add_reactions(problem, chosen, *amounts, loads);
   return loads;
 }
 
 }  // namespace
 
 template <int dim> scene::Stress<dim> particular_stress(const scene::Problem<dim>& problem) {
-  const std::vector<Reference> about = references(problem.mesh);
-  const Loads<Enclosure> loads = handed_on(problem, about, held(problem, about));
+  const std::vector<Reference> about = references(scene::first_of(problem).mesh);
+  const EdgeLoads<Enclosure> loads = handed_on(problem, about, held(problem, about));
   scene::Stress<dim> stress;
   stress.cell.resize(problem.mesh.cells.size());
   for (std::size_t c = 0; c < stress.cell.size(); ++c) {
     const int cell = static_cast<int>(c);
-    const auto parts = block_stress(problem, block(problem.mesh, loads, cell), cell);
+    const auto parts = block_stress(problem, block(problem, loads, cell), cell);
     for (int i = 0; i < 3; ++i)  // the side i → i + 1 lies opposite to corner i + 2
       for (int corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k)

@@ -76,13 +76,22 @@ template <int dim> Level describe(const Step<dim>& step, const Solved<dim>& solv
   return level;
 }
 
-/// Where nothing is strained λ = 0 is the best stress and, if it is admissible, u = 0 a displacement without rounding.
+/// Where nothing is strained λ = 0 is the best stress and, if it is admissible, a translation of all bodies alike a
+/// displacement without rounding: none, or the one that some vertex is held by.
 template <int dim> void set_at_rest(const scene::Problem<dim>& problem, Solved<dim>& solved) {
   solved.dual.stress = no_stress(problem.mesh);
-  const auto none = no_displacement(problem.mesh, solved.primal.displacement.degree);
-  const Certificate own = certify(problem, solved.primal.displacement, solved.dual.stress);
-  const Certificate other = certify(problem, none, solved.dual.stress);
-  if (other.valid && !(own.valid && own.upper < other.upper)) solved.primal.displacement = none;
+  Certificate best = certify(problem, solved.primal.displacement, solved.dual.stress);
+  std::vector<scene::Vector<dim>> translations = {scene::Vector<dim>::Zero()};
+  for (const auto& facet : problem.facets)
+    if (facet.support == scene::Support::fixed && translations.size() == 1)
+      translations.push_back(facet.displacement[0]);
+  for (const auto& translation : translations) {
+    const auto moved = translated(problem.mesh, solved.primal.displacement.degree, translation);
+    const Certificate other = certify(problem, moved, solved.dual.stress);
+    if (!other.valid || (best.valid && best.upper < other.upper)) continue;
+    best = other;
+    solved.primal.displacement = moved;
+  }
 }
 
 /// Bracket and checks of a solved level. The data were fixed on the first mesh, and so was what that did to the energy.
@@ -107,44 +116,44 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
   return level;
 }
 
-/// By how much energies of two levels may differ through rounding: of sums and, far from the origin, of the midpoints
-/// that refinement adds, which makes the bodies of the levels differ by that much of their size.
-template <int dim> double rounding(const scene::Problem<dim>& problem, const Bracket& bracket) {
-  double farthest = 0;
-  for (const auto& x : problem.mesh.vertices) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
-  const double coordinates = std::numeric_limits<double>::epsilon() * farthest / problem.length_scale;
-  return (1e-12 + 16 * coordinates) * std::max(std::abs(bracket.upper), std::abs(bracket.lower));
+/// Why a level has no bounds; empty: it has.
+std::string uncertified(const Level& level) {
+  if (level.certificate.valid) return "";
+  const auto [name, value] = level.checks.worst();
+  return fmt::format("no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
+                     "better shape, or moduli and sizes that differ less",
+                     level.cells, level.certificate.reason, name, value);
 }
 
-/// What is wrong with a level; empty: nothing.
-/// \param slack by which its bounds and the earlier ones may differ through rounding
-template <int dim> std::string fault(const Outcome<dim>& earlier, const Level& level, double slack) {
-  if (!level.certificate.valid) {
-    const auto [name, value] = level.checks.worst();
-    return fmt::format("no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
-                       "better shape, or moduli and sizes that differ less",
-                       level.cells, level.certificate.reason, name, value);
-  }
+/// What a level's bounds contradict, themselves or those of earlier levels, which are of the same problem to the last
+/// bit; empty: nothing. A contradiction proves that some bound is wrong.
+template <int dim> std::string contradiction(const Outcome<dim>& earlier, const Level& level) {
   const auto [lower, upper] = std::pair(level.bracket.lower, level.bracket.upper);
-  if (lower > upper) return fmt::format("the bounds computed on {} cells cross: a fault of this program", level.cells);
-  if (upper < earlier.lower - slack || lower > earlier.upper + slack)
-    return fmt::format("the interval on {} cells and those before exclude each other: a fault of this program",
-                       level.cells);
-  // The spaces of displacements are nested: only solvers that went astray can raise the bound.
-  if (const double size = std::max({std::abs(lower), std::abs(upper), level.certificate.strain_energy});
-      upper > earlier.upper + Checks::tolerance * size)
-    return fmt::format("the upper bound rose to {} on {} cells, although the spaces are nested", upper, level.cells);
-  return "";
+  const bool crossing = lower > upper;
+  if (!crossing && upper >= earlier.lower && lower <= earlier.upper) return "";
+  return fmt::format("{} on {} cells{}: a fault of this program; please report it with the scene",
+                     crossing ? "the bounds cross" : "the bounds", level.cells,
+                     crossing ? "" : " and those before exclude each other");
 }
 
-/// Makes a level the last of the run. Its bracket is intersected with that of the levels before, which were of the same
-/// problem but for the rounding of midpoints (`slack`).
+/// How the upper bound rose although the displacement spaces are nested: by more than what the two certificates added
+/// to the energies as computed. That proves no bound wrong, but solvers that went astray. Empty: it did not.
+template <int dim> std::string risen(const Outcome<dim>& earlier, const Level& level) {
+  if (earlier.levels.empty()) return "";
+  const auto own = [](const Level& of) { return std::abs(of.certificate.upper - of.plain.upper); };
+  const Level& last = earlier.levels.back();
+  if (level.certificate.upper <= last.certificate.upper + own(level) + own(last)) return "";
+  return fmt::format("the upper bound rose from {} to {} on {} cells, although the spaces are nested: the solvers went "
+                     "astray; the levels before stand",
+                     last.certificate.upper, level.certificate.upper, level.cells);
+}
+
+/// Makes a level the last of the run. Its bracket is intersected with that of the levels before.
 template <int dim>
-void append(Outcome<dim>& outcome, const Level& level, double slack, Step<dim>& step, Solved<dim>& solved,
-            Indicator shares) {
+void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<dim>& solved, Indicator shares) {
   const Bracket& bracket = level.bracket;
-  outcome.lower = std::max(outcome.lower - slack, bracket.lower);
-  outcome.upper = std::min(outcome.upper + slack, bracket.upper);
+  outcome.lower = std::max(outcome.lower, bracket.lower);
+  outcome.upper = std::min(outcome.upper, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
   const double width = outcome.upper - outcome.lower, own_width = bracket.upper - bracket.lower;
   if (width < own_width) outcome.relative_error_bound *= std::sqrt(width / own_width);  // an earlier level knew better
@@ -153,6 +162,15 @@ void append(Outcome<dim>& outcome, const Level& level, double slack, Step<dim>& 
   outcome.stress = std::move(solved.dual.stress);
   outcome.indicator = std::move(shares);
   outcome.levels.push_back(level);
+}
+
+/// Takes back what was guaranteed: the levels stay, to be reported.
+template <int dim> void disown(Outcome<dim>& outcome) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  outcome.guarantee = "none";
+  outcome.lower = -infinity;
+  outcome.upper = infinity;
+  outcome.relative_error_bound = infinity;
 }
 
 template <int dim> bool reached(const Outcome<dim>& outcome, double target) {
@@ -216,7 +234,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
   const scene::Refine& refine = scene.refine;
   const Clock run_clock = clock;
   Outcome<dim> outcome;
-  check_solvability(step.problem, scene.solve.degree);
+  step.problem = balanced(std::move(step.problem), scene.solve.degree);
   outcome.skipped = skipped_stages(scene, step.problem);
   step.seconds = clock.seconds();
 
@@ -234,11 +252,19 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
       Level level = estimate(scene, step, solved, shares, outcome.levels);
       level.seconds.estimate = estimate_clock.seconds() - level.seconds.certify;
       level.seconds.total = clock.seconds();
-      const double slack = outcome.levels.empty() ? 0 : rounding(step.problem, level.bracket);
-      why = fault(outcome, level, slack);
-      if (why.empty()) outcome.guarantee = "rounding-safe";
-      if (why.empty() || outcome.levels.empty()) append(outcome, level, slack, step, solved, std::move(shares));
-      if (!why.empty()) return ended(std::move(outcome), refine, why, true);
+      if (why = uncertified(level); !why.empty()) {
+        if (outcome.levels.empty()) append(outcome, level, step, solved, std::move(shares));
+        if (outcome.guarantee == "none") disown(outcome);
+        return ended(std::move(outcome), refine, why, true);
+      }
+      if (why = contradiction(outcome, level); !why.empty()) {
+        append(outcome, level, step, solved, std::move(shares));
+        disown(outcome);
+        return ended(std::move(outcome), refine, why, true);
+      }
+      if (why = risen(outcome, level); !why.empty()) return ended(std::move(outcome), refine, why, true);
+      outcome.guarantee = "rounding-safe";
+      append(outcome, level, step, solved, std::move(shares));
       if (observer.level) observer.level(outcome);
       if (unstrained || reached(outcome, refine.target)) return outcome;
     } else if (!finer_mesh_may_help(solved) || refine.strategy == "none") {

@@ -1,7 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "bounds/bounds.h"
+#include "bounds/certificate/equilibrate.h"
+#include "bounds/certificate/links.h"
 #include "primal/primal.h"
 
 namespace bracket::bounds {
@@ -12,13 +17,13 @@ using scene::Vector;
 namespace {
 
 /// The rigid motions that the supports leave to all bodies, side by side.
-template <int dim> struct Motions {
+template <int dim> struct FreeMotions {
   std::vector<scene::RigidMotion<dim>> motion;
   std::vector<int> body;
 };
 
-template <int dim> Motions<dim> all_free_motions(const scene::Problem<dim>& problem) {
-  Motions<dim> all;
+template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& problem) {
+  FreeMotions<dim> all;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b)
     for (const auto& motion : scene::free_motions(problem, static_cast<int>(b))) {
       all.motion.push_back(motion);
@@ -29,7 +34,7 @@ template <int dim> Motions<dim> all_free_motions(const scene::Problem<dim>& prob
 
 /// The approach of the contact sides under each motion, at the ends of each contact facet: a pressure on a facet can be
 /// replaced by forces at its ends.
-template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const Motions<dim>& all) {
+template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
   const auto& mesh = problem.mesh;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
@@ -48,14 +53,14 @@ template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem
 }
 
 /// The work of the loads in each motion, and the sum of its parts' sizes.
-struct Loads {
+struct LoadWork {
   Eigen::VectorXd work;
   double size = 0;
 };
 
-template <int dim> Loads loads(const scene::Problem<dim>& problem, const Motions<dim>& all) {
+template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
   const auto& mesh = problem.mesh;
-  Loads result{Eigen::VectorXd::Zero(all.motion.size()), 0};
+  LoadWork result{Eigen::VectorXd::Zero(all.motion.size()), 0};
   const auto add = [&](int body, const Vector<dim>& force, const Vector<dim>& x) {
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
       if (all.body[m] != body) continue;
@@ -72,14 +77,11 @@ template <int dim> Loads loads(const scene::Problem<dim>& problem, const Motions
         (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    if (data.support != Support::traction) continue;
+    if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = mesh.boundary[f];
-    // A linear traction on a linear motion: hat-function moments at the ends.
-    const double sixth = scene::length(mesh, static_cast<int>(f)) / 6;
-    for (int i = 0; i < dim; ++i)
-      add(mesh.cell_body[facet.cell], sixth * (2 * data.traction[i] + data.traction[1 - i]),
-          mesh.vertices[facet.vertices[i]]);
+    const auto ends = scene::load(problem, static_cast<int>(f));
+    for (int i = 0; i < dim; ++i)  // a linear load on a linear motion: hat-function moments at the ends
+      add(mesh.cell_body[facet.cell], (2 * ends[i] + ends[1 - i]) / 6, mesh.vertices[facet.vertices[i]]);
   }
   return result;
 }
@@ -88,7 +90,7 @@ template <int dim> Loads loads(const scene::Problem<dim>& problem, const Motions
 /// far: what moves them by less than 1e-8 of the most is rounding of the loads, and would be told as a turn about a
 /// point far away.
 template <int dim>
-std::string explain(const scene::Problem<dim>& problem, const Motions<dim>& all, const Eigen::VectorXd& y) {
+std::string explain(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, const Eigen::VectorXd& y) {
   constexpr double negligible = 1e-8;
   Eigen::Index most = 0;
   y.cwiseAbs().maxCoeff(&most);
@@ -104,23 +106,122 @@ std::string explain(const scene::Problem<dim>& problem, const Motions<dim>& all,
                      scene::describe(motion));
 }
 
+scene::Problem<2> without_corrections(scene::Problem<2> problem) {
+  problem.corrections.clear();
+  problem.carries.clear();
+  problem.imbalance = 0;
+  for (auto& facet : problem.facets) facet.correction = {Vector<2>::Zero(), Vector<2>::Zero()};
+  return problem;
+}
+
+/// By how much, as a force, loads may lack balance that are meant to have it: what rounding does to their sums, to the
+/// coordinates, and to the directions of supports and contacts, which stand for normals. Twofold, as moments have it
+/// once more.
+double explained_imbalance(const scene::Problem<2>& problem) {
+  const auto& mesh = problem.mesh;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double terms = static_cast<double>(mesh.boundary.size() + mesh.cells.size()) + 64;  // and those of each value
+  double farthest = 0, size = 0, per_length = 0, largest = 0, turned = 0;
+  for (const Vector<2>& x : mesh.vertices) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const double force = problem.bodies[mesh.cell_body[c]].force.norm() * scene::volume(mesh, static_cast<int>(c));
+    size += force;
+    per_length += force / problem.length_scale;
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (!scene::is_loaded(problem.facets[f])) continue;
+    const auto ends = scene::load(problem, static_cast<int>(f));
+    const double force = std::max(ends[0].norm(), ends[1].norm());
+    size += force;
+    per_length += force / scene::length(mesh, static_cast<int>(f));
+    largest = std::max(largest, force / scene::length(mesh, static_cast<int>(f)));
+  }
+  largest += size / problem.length_scale;  // pressure of what the contact carries
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& data = problem.facets[f];
+    if (data.support != Support::sliding && data.support != Support::contact) continue;
+    const int facet = static_cast<int>(f);
+    turned += scene::length(mesh, facet) * (scene::normal(mesh, facet) - data.normal).norm();
+  }
+  const double coordinates = mesh.coordinate_rounding * farthest;
+  return 2 * (terms * epsilon * size + per_length * coordinates + largest * turned);
+}
+
+/// The problem with corrections along all motions that neither supports nor the pairs that the loads need act on.
+/// \param pressure that balances the loads but for what is explained, as rows of approaches()
+scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::VectorXd& pressure, double explained) {
+  for (const auto& pair : problem.contact)
+    problem.carries.resize(std::max<std::size_t>(problem.carries.size(), pair.pair + 1), 0);
+  std::vector<double> force(problem.carries.size(), 0);
+  for (std::size_t j = 0; j < problem.contact.size(); ++j)
+    force[problem.contact[j].pair] += pressure[2 * j] + pressure[2 * j + 1];
+  for (std::size_t pair = 0; pair < force.size(); ++pair) problem.carries[pair] = force[pair] > explained;
+  const int unheld = unheld_motions(problem, problem.carries);
+  if (unheld == 0) {
+    problem.carries.clear();
+    return problem;
+  }
+  const auto& mesh = problem.mesh;
+  std::vector<char> can_be_loaded(mesh.bodies.size(), 0);
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    can_be_loaded[mesh.cell_body[mesh.boundary[f].cell]] |= problem.facets[f].support == Support::traction;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    // A body with no facet on Γ_τ has no load but its weight: what is to be taken off must be zero to the last bit.
+    const bool loadable = can_be_loaded[mesh.cell_body[mesh.boundary[f].cell]];
+    if (problem.facets[f].support != (loadable ? Support::traction : Support::contact)) continue;
+    const auto& [a, b] = mesh.boundary[f].vertices;
+    const Vector<2> along = mesh.vertices[b] - mesh.vertices[a], across(-along[1] / along.norm(), along[0] / along.norm());
+    for (int c = 0; c < 2; ++c)
+      problem.corrections.push_back({static_cast<int>(f), {Vector<2>::Unit(c), Vector<2>::Unit(c)}});
+    problem.corrections.push_back({static_cast<int>(f), {-across, across}});
+  }
+  const auto about = references(mesh);
+  std::vector<scene::Correction<2>> chosen;
+  for (const Reaction& reaction : reactions(problem, about, assumed_loads(problem), {}))
+    if (reaction.kind == Reaction::Kind::correction) chosen.push_back(problem.corrections[reaction.which]);
+  problem.corrections = std::move(chosen);
+  const auto [amounts, reason] = corrected<Enclosure, LongSum>(problem);
+  if (static_cast<int>(problem.corrections.size()) != unheld || !reason.empty())
+    throw scene::Error(scene::Status::not_guaranteed,
+                       "rounding hides how a body is held: supports or contacts act on its motion by rounding only");
+  double largest = 0;
+  for (const auto& [facet, load] : amounts)
+    for (int end = 0; end < 2; ++end) {
+      const Vector<2> added(static_cast<double>(load[end].x.middle), static_cast<double>(load[end].y.middle));
+      problem.facets[facet].correction[end] += added;
+      largest = std::max(largest, added.norm());
+    }
+  double size = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == Support::traction)
+      for (const auto& end : scene::load(problem, static_cast<int>(f))) size = std::max(size, end.norm());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    size = std::max(size, problem.bodies[mesh.cell_body[c]].force.norm() * scene::volume(mesh, static_cast<int>(c)));
+  problem.imbalance = largest > 0 ? largest / size : 0;
+  return problem;
+}
+
 }  // namespace
 
-template <int dim> double check_solvability(const scene::Problem<dim>& problem, int degree) {
+template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree) {
   primal::check_prescribed(problem, degree);
-  const Motions<dim> all = all_free_motions(problem);
-  if (all.motion.empty()) return 0;
+  problem = without_corrections(std::move(problem));
+  const FreeMotions<dim> all = all_free_motions(problem);
+  if (all.motion.empty()) return problem;
   const Eigen::MatrixXd rows = approaches(problem, all);
-  const Loads given = loads(problem, all);
-  if (given.size == 0) return 0;
-  const contact::Balance balance = contact::balance(rows, given.work, given.size);
+  const LoadWork given = load_work(problem, all);
+  const double explained = explained_imbalance(problem);
+  contact::Balance balance{true, Eigen::VectorXd::Zero(rows.rows()), {}};
+  if (given.size > 0) balance = contact::balance(rows, given.work, explained);
   if (!balance.possible)
     throw scene::Error(scene::Status::ill_posed,
                        explain(problem, all, balance.motion) +
-                           "; support it, or change the loads so that pressure balances them");
-  return (given.work - rows.transpose() * balance.pressure).cwiseAbs().maxCoeff() / given.size;
+                           fmt::format(", with a force of {:.3g} of which rounding explains {:.3g}; support it, or "
+                                       "change the loads so that pressure balances them",
+                                       balance.motion.norm(), explained));
+  return with_corrections(std::move(problem), balance.pressure, explained);
 }
 
-template double check_solvability(const scene::Problem<2>&, int);
+template scene::Problem<2> balanced(scene::Problem<2>, int);
 
 }  // namespace bracket::bounds

@@ -46,16 +46,16 @@ template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
   return stress;
 }
 
-template <int dim> scene::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree) {
-  const scene::Vector<dim> none = scene::Vector<dim>::Zero();
+template <int dim>
+scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, const scene::Vector<dim>& translation) {
   scene::Displacement<dim> displacement{degree, {}, {}};
-  displacement.vertex.assign(mesh.vertices.size(), none);
-  if (degree == 2) displacement.edge.assign(mesh.edges.size(), none);
+  displacement.vertex.assign(mesh.vertices.size(), translation);
+  if (degree == 2) displacement.edge.assign(mesh.edges.size(), translation);
   return displacement;
 }
 
 template bool is_unstrained(const scene::Problem<2>&, const scene::Displacement<2>&);
 template scene::Stress<2> no_stress(const scene::Mesh<2>&);
-template scene::Displacement<2> no_displacement(const scene::Mesh<2>&, int);
+template scene::Displacement<2> translated(const scene::Mesh<2>&, int, const scene::Vector<2>&);
 
 }  // namespace bracket::bounds

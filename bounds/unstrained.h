@@ -13,7 +13,8 @@ bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement
 
 /// λ = 0
 template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
-/// u = 0
-template <int dim> scene::Displacement<dim> no_displacement(const scene::Mesh<dim>& mesh, int degree);
+/// u = `translation` everywhere
+template <int dim>
+scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, const scene::Vector<dim>& translation);
 
 }  // namespace bracket::bounds

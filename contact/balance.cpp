@@ -41,17 +41,16 @@ VectorXd step_to_boundary(const VectorXd& from, const VectorXd& to, std::vector<
 // Lawson & Hanson, Solving Least Squares Problems (1974), ch. 23. Each passage of the outer loop reduces the residual,
 // so no support comes twice; a row whose entry would not reduce it (its gradient was rounding) is set aside until the
 // residual falls.
-Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double scale) {
-  constexpr double balanced = 1e-10;  // residual, by the size of the loads, that is taken for rounding
+Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double explained) {
   constexpr double flat = 64 * std::numeric_limits<double>::epsilon();
   const VectorXd size = rows.rowwise().norm();
   VectorXd pressure = VectorXd::Zero(rows.rows());
   VectorXd residual = load;
   std::vector<Index> support;
   std::vector<char> aside(rows.rows(), 0);
-  while (residual.norm() > 4 * std::numeric_limits<double>::epsilon() * scale) {
+  while (residual.norm() > explained / 64) {
     Index entering = -1;
-    double steepest = flat * std::max(scale, load.norm());
+    double steepest = std::max(flat * load.norm(), explained / 64);
     for (Index i = 0; i < rows.rows(); ++i) {
       if (size[i] == 0 || aside[i] || pressure[i] > 0) continue;
       const double slope = rows.row(i).dot(residual) / size[i];
@@ -85,7 +84,7 @@ Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double scale)
     std::fill(aside.begin(), aside.end(), 0);
   }
 
-  if (residual.norm() <= balanced * scale) return {true, pressure, {}};
+  if (residual.norm() <= explained) return {true, pressure, {}};
   return {false, {}, residual};
 }
 

@@ -87,8 +87,8 @@ struct Balance {
 };
 
 /// Non-negative least squares for Gᵀp = e; ends after finitely many steps.
-/// \param rows G, m × k   \param load e, k   \param scale size of the loads, to which the residual is compared
-Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double scale);
+/// \param rows G, m × k   \param load e, k   \param explained residual that is taken for rounding
+Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double explained);
 
 /// Sums dense symmetric cell matrices into a sparse one. The pattern is laid out once, from nodes.
 class Assembly {

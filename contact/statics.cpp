@@ -123,7 +123,7 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
 
   const MatrixXd resisting = unit_rows(Eigen::all, result.resisted);
   const VectorXd resisted_load = (load - motion)(result.resisted);
-  const Balance found = balance(resisting, resisted_load, size_of_loads);
+  const Balance found = balance(resisting, resisted_load, rounding * size_of_loads);
   if (!found.possible) {
     result.possible = false;
     result.motion = VectorXd::Zero(k);

@@ -101,9 +101,9 @@ LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns,
 template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
   Eigen::VectorXd moments(2 * problem.contact.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& g = problem.contact[j].gap;
+    const auto& g = problem.contact[j].upper;
     const double length = scene::length(problem.mesh, problem.contact[j].first);
-    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length * (g[i] / 6 + g[2] / 3);
+    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length / 12 * (3 * g[2 * i] + 2 * g[1] + g[2 - 2 * i]);
   }
   return moments;
 }

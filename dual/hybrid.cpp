@@ -19,13 +19,12 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
   std::vector<Eigen::VectorXd> loads;
   for (const auto& nodes : layout.body_nodes) loads.push_back(Eigen::VectorXd::Zero(nodes.back()));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    if (data.support != Support::traction) continue;
+    if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = mesh.boundary[f];
     const Edge& edge = layout.edges[facet.edge];
-    const double sixth = scene::length(mesh, static_cast<int>(f)) / 6;
+    const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
-      const Vector<dim> moment = sixth * (2 * data.traction[i] + data.traction[1 - i]);
+      const Vector<dim> moment = (2 * ends[i] + ends[1 - i]) / 6;
       const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
       for (int k = 0; k < 2; ++k) loads[mesh.cell_body[facet.cell]][edge.unknown[place + k]] += moment[k];
     }

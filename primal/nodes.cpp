@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace bracket::primal {
 
@@ -70,20 +71,13 @@ template <int dim> struct Approach {
   void add(Row& row, int node, int body, const Vector<dim>& d, double weight) const {
     const Node<dim>& at = nodes.node[node];
     row.bound -= weight * at.prescribed.dot(d);
+    row.size += std::abs(weight) * at.prescribed.norm();
     for (int k = 0; k < at.free; ++k) {
       if (parallel<dim>(at.directions.col(1 - k), d)) continue;  // this one is at right angles to d
       row.entries.push_back({body, at.unknown + k, weight * at.directions.col(k).dot(d)});
     }
   }
 };
-
-template <int dim> double largest_prescribed(const Problem<dim>& problem, const Nodes<dim>& nodes) {
-  double largest = 0;
-  for (const auto& node : nodes.node) largest = std::max(largest, node.prescribed.norm());
-  for (const auto& pair : problem.contact)
-    for (const double g : pair.gap) largest = std::max(largest, std::abs(g));
-  return largest;
-}
 
 struct EndRow {
   int first, second;  ///< vertices
@@ -101,7 +95,7 @@ template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
     for (int i = 0; i < dim; ++i)
       rows.push_back({mesh.boundary[pair.first].vertices[i],
                       pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i],
-                      problem.facets[pair.first].normal, pair.gap[i], static_cast<int>(j)});
+                      problem.facets[pair.first].normal, pair.lower[2 * i], static_cast<int>(j)});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const EndRow& a, const EndRow& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
@@ -149,13 +143,14 @@ template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree
 
 template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes) {
   const auto& mesh = problem.mesh;
-  const double tolerance = 1e-10 * largest_prescribed(problem, nodes);
   const Approach<dim> approach{nodes, problem};
   std::vector<Row> rows;
+  // scene::fix_data() has made room where rounding alone closed a gap; here the sum of three products is rounded.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const auto keep = [&](Row row, const Vector<dim>& x) {
     if (!row.entries.empty()) {
       rows.push_back(std::move(row));
-    } else if (row.bound < -tolerance) {
+    } else if (row.bound < -rounding * (row.size + problem.length_scale)) {
       const int part = mesh.boundary[problem.contact[row.facet].first].part;
       throw scene::Error(
           scene::Status::ill_posed,
@@ -169,12 +164,12 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
   // The middle rows come first: where rows depend on each other, the earlier ones are kept active.
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    const auto& [ga, gb, gm] = pair.gap;
-    const double middle = 2 * gm - ga / 2 - gb / 2;
-    // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself.
-    if (nodes.degree == 1 && middle >= (ga + gb) / 2) continue;
+    const auto& [ga, middle, gb] = pair.lower;
+    // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself; that of a linear gap
+    // is their mean but for rounding.
+    if (nodes.degree == 1 && middle >= (ga + gb) / 2 - rounding * std::max(std::abs(ga), std::abs(gb))) continue;
     const Vector<dim>& d = problem.facets[pair.first].normal;
-    Row row{{}, middle, static_cast<int>(j)};
+    Row row{{}, middle, std::abs(middle), static_cast<int>(j)};
     for (const int side : {pair.first, pair.second}) {
       if (side < 0) continue;
       const auto& facet = mesh.boundary[side];
@@ -188,7 +183,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
   }
   for (const EndRow& end : end_rows(problem)) {
     const auto& pair = problem.contact[end.facet];
-    Row row{{}, end.gap, end.facet};
+    Row row{{}, end.gap, std::abs(end.gap), end.facet};
     approach.add(row, nodes.at_vertex(end.first), body_of(pair.first), end.normal, 1);
     if (end.second >= 0) approach.add(row, nodes.at_vertex(end.second), body_of(pair.second), end.normal, -1);
     keep(std::move(row), mesh.vertices[end.first]);

@@ -33,6 +33,7 @@ struct Row {
   };
   std::vector<Entry> entries;
   double bound;
+  double size;  ///< of what `bound` is a difference of, absolute
   int facet;  ///< a contact facet that it belongs to, index into Problem::contact
 };
 

@@ -73,20 +73,16 @@ template <int dim>
 void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<contact::Body>& bodies) {
   const auto& mesh = problem.mesh;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    if (data.support != Support::traction) continue;
+    if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = mesh.boundary[f];
     Eigen::VectorXd& load = bodies[mesh.cell_body[facet.cell]].load;
-    const double length = scene::length(mesh, static_cast<int>(f));
+    const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i) {
-      const Vector<dim>& here = data.traction[i];
-      const Vector<dim> force = nodes.degree == 1 ? Vector<dim>(length / 6 * (2 * here + data.traction[1 - i]))
-                                                  : Vector<dim>(length / 6 * here);
+      const Vector<dim> force = nodes.degree == 1 ? Vector<dim>((2 * ends[i] + ends[1 - i]) / 6)
+                                                  : Vector<dim>(ends[i] / 6);
       add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
     }
-    if (nodes.degree == 2)
-      add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], length / 3 * (data.traction[0] + data.traction[1]),
-                    load);
+    if (nodes.degree == 2) add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], (ends[0] + ends[1]) / 3, load);
   }
 }
 

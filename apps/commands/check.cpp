@@ -69,9 +69,9 @@ std::string pair_text(const scene::Scene<2>& scene, const scene::Problem<2>& pro
   double smallest = 0, largest = 0;
   for (const scene::ContactFacet& facet : problem.contact) {
     if (facet.pair != pair) continue;
-    const auto [low, high] = std::minmax_element(facet.gap.begin(), facet.gap.end());
-    smallest = facets == 0 ? *low : std::min(smallest, *low);
-    largest = facets == 0 ? *high : std::max(largest, *high);
+    const auto [low, high] = std::minmax({facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]});
+    smallest = facets == 0 ? low : std::min(smallest, low);
+    largest = facets == 0 ? high : std::max(largest, high);
     ++facets;
   }
   return fmt::format("  {} on {}: {} edges, all matched; gap {:.4g} to {:.4g}\n", scene.contact[pair].first,
@@ -106,7 +106,7 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
   const scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
   print_notes(problem.mesh);
   std::cout << problem_text(scene, problem) << std::flush;
-  const double imbalance = bounds::check_solvability(problem, scene.solve.degree);
+  const double imbalance = bounds::balanced(problem, scene.solve.degree).imbalance;
   std::cout << fmt::format("solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n",
                            imbalance);
 }

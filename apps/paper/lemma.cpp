@@ -68,11 +68,10 @@ void subtract_loads(const scene::Problem<2>& problem, Forces& forces) {
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = problem.mesh.boundary[f];
-    const auto& [t0, t1] = problem.facets[f].traction;
-    const double length = scene::length(problem.mesh, static_cast<int>(f));
-    forces.vertex[facet.vertices[0]] -= length / 12 * (3 * t0 + t1);
-    forces.vertex[facet.vertices[1]] -= length / 12 * (t0 + 3 * t1);
-    forces.edge[facet.edge] -= length / 6 * (t0 + t1);
+    const auto [load0, load1] = scene::load(problem, static_cast<int>(f));
+    forces.vertex[facet.vertices[0]] -= (3 * load0 + load1) / 12;
+    forces.vertex[facet.vertices[1]] -= (load0 + 3 * load1) / 12;
+    forces.edge[facet.edge] -= (load0 + load1) / 6;
   }
 }
 
@@ -182,8 +181,10 @@ std::vector<Case> cases() {
       for (Voigt<2>& s : unequal.stress.cell[c]) s *= 1.1;
   list.push_back(unequal);
   Case tension{"(1.22) tension", solved.problem, solved.stress};  // loads and stresses turned round
-  for (auto& facet : tension.problem.facets)
+  for (auto& facet : tension.problem.facets) {
     for (Vector<2>& t : facet.traction) t = -t;
+    for (double& p : facet.pressure) p = -p;
+  }
   for (auto& corners : tension.stress.cell)
     for (Voigt<2>& s : corners) s = -s;
   list.push_back(tension);

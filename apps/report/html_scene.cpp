@@ -68,7 +68,7 @@ std::string bodies(const Report& report) {
 // What is prescribed on a facet, by the support that it is.
 std::string condition(const scene::Problem<2>& problem, int part) {
   std::array<Range, 2> traction, displacement;
-  Range normal;
+  Range normal, pressure;
   scene::Support support = scene::Support::traction;
   for (std::size_t i = 0; i < problem.facets.size(); ++i) {
     if (problem.mesh.boundary[i].part != part) continue;
@@ -78,6 +78,7 @@ std::string condition(const scene::Problem<2>& problem, int part) {
       normal.add(data.normal_displacement[end]);
       for (int k = 0; k < 2; ++k) {
         traction[k].add(data.traction[end][k]);
+        if (k == 0) pressure.add(data.pressure[end]);
         displacement[k].add(data.displacement[end][k]);
       }
     }
@@ -89,6 +90,7 @@ std::string condition(const scene::Problem<2>& problem, int part) {
     case scene::Support::contact: return "contact";
     case scene::Support::traction: break;
   }
+  if (pressure.text() != "0") return "pressure " + pressure.text();
   if (traction[0].text() == "0" && traction[1].text() == "0") return "free";
   return fmt::format("traction ({}, {})", traction[0].text(), traction[1].text());
 }
@@ -117,7 +119,7 @@ std::string contact(const Report& report) {
     for (const scene::ContactFacet& facet : report.outcome.problem.contact) {
       if (facet.pair != pair) continue;
       ++edges;
-      for (const double value : facet.gap) gap.add(value);
+      for (const double value : {facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]}) gap.add(value);
     }
     const auto& names = report.scene.contact[pair];
     rows.push_back({escaped(names.first), escaped(names.second), gap.text(), fmt::to_string(edges)});

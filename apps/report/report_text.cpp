@@ -101,22 +101,31 @@ std::string data_text(const Report& report) {
   const scene::Oscillation& data = report.outcome.problem.oscillation;
   const bounds::Level& last = report.outcome.levels.back();
   constexpr double rounding = 1e-13;
+  std::string changed;
+  if (const double part = report.outcome.problem.imbalance; part > 0)
+    changed = fmt::format("Loads: changed by {} of the largest, so that a body that nothing holds is in balance.\n",
+                          rounded_up_exponent(part));
   if (std::max({data.traction, data.displacement, data.gap}) < rounding)
-    return "\nData: the given functions are carried exactly.\n";
+    return "\nData: the given functions are carried exactly.\n" + changed;
   return fmt::format(
-      "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of "
-      "their\n"
-      "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
-      data.traction, data.displacement, data.gap, last.oscillation_energy);
+             "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of "
+             "their\n"
+             "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
+             data.traction, data.displacement, data.gap, last.oscillation_energy) +
+         changed;
 }
 
 }  // namespace
 
 std::string headline(const Report& report) {
   if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
-  return fmt::format("energy in [{}, {}]   relative width {}   guaranteed relative error {}\n", report.outcome.lower,
-                     report.outcome.upper, rounded_up_exponent(relative_width(report.outcome)),
-                     percent(report.outcome.relative_error_bound));
+  const double width = relative_width(report.outcome), changed = report.outcome.problem.imbalance;
+  // To first order the energy moves by twice the part by which the loads do.
+  const std::string beside =
+      2 * changed > width ? fmt::format("   loads changed by {} to balance", rounded_up_exponent(changed)) : "";
+  return fmt::format("energy in [{}, {}]   relative width {}   guaranteed relative error {}{}\n", report.outcome.lower,
+                     report.outcome.upper, rounded_up_exponent(width), percent(report.outcome.relative_error_bound),
+                     beside);
 }
 
 std::string report_text(const Report& report) {

@@ -17,11 +17,13 @@ Problem<2> with_data_times(Problem<2> problem, double force, double traction, do
   for (scene::FacetData<2>& facet : problem.facets)
     for (int end = 0; end < 2; ++end) {
       facet.traction[end] *= traction;
+      facet.pressure[end] *= traction;
       facet.displacement[end] *= displacement;
       facet.normal_displacement[end] *= displacement;
     }
   for (scene::ContactFacet& facet : problem.contact)
-    for (double& gap : facet.gap) gap *= displacement;
+    for (auto* gaps : {&facet.lower, &facet.upper})
+      for (double& gap : *gaps) gap *= displacement;
   return problem;
 }
 
@@ -190,19 +192,20 @@ Problem<2> with_piece_freed(Problem<2> problem, int facet, int end, const Vector
   return problem;
 }
 
-/// The quadratic with the values v at 0, 1 and ½, at the ends and the midpoint of (from, to).
-std::array<double, 3> restricted(const std::array<double, 3>& v, double from, double to) {
-  const auto at = [&](double s) {
-    return (1 - s) * (1 - 2 * s) * v[0] + s * (2 * s - 1) * v[1] + 4 * s * (1 - s) * v[2];
+/// The quadratic with the Bernstein coefficients c on (0, 1), by those on (from, to).
+std::array<double, 3> restricted(const std::array<double, 3>& c, double from, double to) {
+  const auto blossom = [&](double s, double t) {
+    return (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[1] + s * c[2]);
   };
-  return {at(from), at(to), at((from + to) / 2)};
+  return {blossom(from, from), blossom(from, to), blossom(to, to)};
 }
 
 }  // namespace
 
 Problem<2> with_end_freed(Problem<2> problem, const ContactEnd& where, double distance) {
   scene::ContactFacet& contact = problem.contact[where.contact];
-  contact.gap = where.end == 0 ? restricted(contact.gap, distance, 1) : restricted(contact.gap, 0, 1 - distance);
+  contact.lower = where.end == 0 ? restricted(contact.lower, distance, 1) : restricted(contact.lower, 0, 1 - distance);
+  contact.upper = contact.lower;
   const auto [first, second] = std::pair(contact.first, contact.second);
   const auto& ends = problem.mesh.boundary[first].vertices;
   const Vector<2> last = problem.mesh.vertices[ends[where.end]], other = problem.mesh.vertices[ends[1 - where.end]];
@@ -230,7 +233,8 @@ Loading loading(const Problem<2>& problem) {
     const double own = scene::length(mesh, facet);
     low = low.cwiseMin(a).cwiseMin(b);
     high = high.cwiseMax(a).cwiseMax(b);
-    force += own / 2 * (data.traction[0] + data.traction[1]);
+    const auto load = scene::load(problem, facet);
+    force += (load[0] + load[1]) / 2;
     weighted += own / 2 * (a + b);
     length += own;
     result.facets.push_back(facet);
@@ -241,11 +245,11 @@ Loading loading(const Problem<2>& problem) {
   const Vector<2> box = high - low;
   result.reach = box[0] >= box[1] ? Vector<2>(box[0] / 2, 0) : Vector<2>(0, box[1] / 2);
   for (const int facet : result.facets) {
-    const auto& t = problem.facets[facet].traction;
+    const auto load = scene::load(problem, facet);
     const auto x = ends(facet);
     for (int i = 0; i < 2; ++i)  // linear times linear: moments of the hat functions
-      result.moment += scene::length(mesh, facet) / 6 * (2 * t[i] + t[1 - i]).dot(result.mean) *
-                       (x[i] - result.centre).dot(result.reach);
+      result.moment +=
+          (2 * load[i] + load[1 - i]).dot(result.mean) / 6 * (x[i] - result.centre).dot(result.reach);
   }
   return result;
 }

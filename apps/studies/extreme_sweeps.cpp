@@ -68,7 +68,7 @@ Sweep of_contact_end(const Problem<2>& benign) {
 
 bool solvable(const Problem<2>& problem, int degree) {
   try {
-    bounds::check_solvability(problem, degree);
+    bounds::balanced(problem, degree);
   } catch (const scene::Error& error) {
     if (error.status() != scene::Status::ill_posed) throw;
     return false;

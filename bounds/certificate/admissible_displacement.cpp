@@ -3,28 +3,51 @@
 
 #include <fmt/format.h>
 
-#include "bounds/certificate/enclosure.h"
-
 namespace bracket::bounds {
 
 using scene::Support;
 using scene::Vector;
 
+std::vector<const Vector<2>*> fixed_vertices(const scene::Problem<2>& first) {
+  std::vector<const Vector<2>*> fixed(first.mesh.vertices.size(), nullptr);
+  for (std::size_t f = 0; f < first.facets.size(); ++f)
+    for (int i = 0; i < 2 && first.facets[f].support == Support::fixed; ++i)
+      fixed[first.mesh.boundary[f].vertices[i]] = &first.facets[f].displacement[i];
+  return fixed;
+}
+
+std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const Vector<2>*>& fixed, int facet) {
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  const scene::Problem<2>& first = scene::first_of(problem);
+  Slide slide{first.facets[of].normal, first.facets[of].normal_displacement, {}, {}, 0};
+  for (int i = 0; i < 2; ++i) {
+    const Vector<2>* held = fixed[first.mesh.boundary[of].vertices[i]];
+    slide.fixed[i] = held != nullptr;
+    slide.displacement[i] = held != nullptr ? *held : Vector<2>(Vector<2>::Zero());
+  }
+  std::array<Slide, 2> ends = {slide, slide};
+  for (int i = 0; i < 2; ++i) ends[i].t = corner[i][0];
+  return ends;
+}
+
 std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
   std::vector<VertexSupport> supports(problem.mesh.vertices.size());
+  const auto fixed = fixed_vertices(scene::first_of(problem));
   for (const Support kind : {Support::fixed, Support::sliding})
     for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-      const auto& data = problem.facets[f];
-      if (data.support != kind) continue;
+      if (problem.facets[f].support != kind) continue;
+      const int facet = static_cast<int>(f);
+      const auto [of, corner] = scene::piece_of_facet(problem, facet);
+      const auto slides = slides_of(problem, fixed, facet);
       for (int i = 0; i < 2; ++i) {
         VertexSupport& vertex = supports[problem.mesh.boundary[f].vertices[i]];
+        const Vector<2>& n = slides[i].normal;
         if (kind == Support::fixed) {
           vertex.fixed = true;
-          vertex.displacement = data.displacement[i];
+          vertex.held = {scene::first_of(problem).facets[of].displacement, corner[i][0]};
         } else if (!vertex.fixed && vertex.slides < 2 &&
-                   (vertex.slides == 0 || (vertex.normal[0] != data.normal && vertex.normal[0] != -data.normal))) {
-          vertex.normal[vertex.slides] = data.normal;
-          vertex.value[vertex.slides++] = data.normal_displacement[i];
+                   (vertex.slides == 0 || (vertex.slide[0].normal != n && vertex.slide[0].normal != -n))) {
+          vertex.slide[vertex.slides++] = slides[i];
         }
       }
     }
@@ -37,7 +60,8 @@ PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>&
                  const std::vector<VertexSupport>& supports) {
   PlainField field{displacement.vertex, {}};
   for (std::size_t v = 0; v < supports.size(); ++v)
-    if (supports[v].fixed) field.vertex[v] = supports[v].displacement;
+    if (const auto& [end, t] = supports[v].held; supports[v].fixed)
+      for (int c = 0; c < 2; ++c) field.vertex[v][c] = between_ends(end[0][c], end[1][c], t);
   if (displacement.degree == 1) return field;
   const auto& mesh = problem.mesh;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -53,7 +77,7 @@ PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>&
 Vector<2> way(const VertexSupport& support, const Vector<2>& d) {
   if (support.fixed || support.slides == 2) return Vector<2>::Zero();
   if (support.slides == 0) return d / d.squaredNorm();
-  const Vector<2> tangent(-support.normal[0][1], support.normal[0][0]);
+  const Vector<2> tangent(-support.slide[0].normal[1], support.slide[0].normal[0]);
   const double along = tangent.dot(d);
   return std::abs(along) < 1e-7 ? Vector<2>::Zero() : Vector<2>(tangent / along);
 }
@@ -65,7 +89,7 @@ double excess(const Enclosure& penetration) {
 
 /// By how much to move what is now at u: a little more than what is missing, and not lost in rounding.
 double step(double missing, const Vector<2>& u) {
-  return std::max(1.0625 * missing, 4 * std::numeric_limits<double>::epsilon() * u.norm());
+  return std::max(1.0625 * missing, 8 * std::numeric_limits<double>::epsilon() * u.lpNorm<Eigen::Infinity>());
 }
 
 /// Moves one end of a contact facet out of contact. \return whether its supports let it
@@ -109,7 +133,7 @@ AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::
     for (const auto& pair : problem.contact)
       for (int k = 0; k < 3; ++k) {  // both ends, then the middle
         const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
-        if (std::isnan(missing)) return {{}, "the displacements are not finite"};
+        if (!std::isfinite(missing)) return {{}, "the displacements are too large for their energies to be enclosed"};
         if (missing == 0) continue;
         settled = false;
         if (k < 2 ? make_way(problem, supports, field, pair, k, missing)

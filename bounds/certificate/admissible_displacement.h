@@ -1,23 +1,61 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "bounds/certificate/elastic_form.h"
+#include "bounds/certificate/geometry.h"
 #include "scene/fields.h"
 
 /// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
 namespace bracket::bounds {
 
+/// The displacement that a facet of Γ_u on the first mesh prescribes, at a point of it.
+struct Held {
+  std::array<scene::Vector<2>, 2> end = {scene::Vector<2>::Zero(), scene::Vector<2>::Zero()};  ///< at its vertices
+  double t = 0;  ///< the point: 0 at vertex 0, 1 at vertex 1
+};
+
+/// What a facet of Γ_0 on the first mesh prescribes along its normal, at a point of it: linear between its vertices. At
+/// a vertex that is fixed it is what that displacement has along the normal.
+struct Slide {
+  scene::Vector<2> normal = scene::Vector<2>::Zero();
+  std::array<double, 2> end = {0, 0};
+  std::array<bool, 2> fixed = {false, false};
+  std::array<scene::Vector<2>, 2> displacement = {scene::Vector<2>::Zero(), scene::Vector<2>::Zero()};  ///< where fixed
+  double t = 0;
+};
+template <class Number> Number value(const Slide& slide) {
+  std::array<Number, 2> end;
+  for (int i = 0; i < 2; ++i)
+    end[i] = slide.fixed[i] ? dot(plane<Number>(slide.displacement[i]), plane<Number>(slide.normal))
+                            : Number(slide.end[i]);
+  return between_ends(end[0], end[1], slide.t);
+}
+
 /// What the supports prescribe at a vertex.
 struct VertexSupport {
   bool fixed = false;
-  scene::Vector<2> displacement = scene::Vector<2>::Zero();  ///< if fixed
-  int slides = 0;                                            ///< else: u·normal = value, for up to two normals
-  std::array<scene::Vector<2>, 2> normal;
-  std::array<double, 2> value = {0, 0};
+  Held held;       ///< if fixed
+  int slides = 0;  ///< else: u·normal = value, for up to two normals
+  std::array<Slide, 2> slide;
 };
 std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem);
+
+/// Of each vertex of the first mesh: the displacement by which Γ_u holds it, null: it does not.
+std::vector<const scene::Vector<2>*> fixed_vertices(const scene::Problem<2>& first);
+/// What is prescribed at the ends of a facet of Γ_0. \param fixed as fixed_vertices() has them
+std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const scene::Vector<2>*>& fixed,
+                               int facet);
+/// What is prescribed at the ends of a facet of Γ_u.
+template <class Number> std::array<Plane<Number>, 2> held_at(const scene::Problem<2>& problem, int facet) {
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  const auto& [a, b] = scene::first_of(problem).facets[of].displacement;
+  std::array<Plane<Number>, 2> u;
+  for (int i = 0; i < 2; ++i) u[i] = between_ends(plane<Number>(a), plane<Number>(b), corner[i][0]);
+  return u;
+}
 
 /// Displacements as plain numbers: u = Σ vertex φ_v + Σ bubble 4 φ_a φ_b over the edges ab. The field they stand for is
 /// moved onto the supports exactly by shift(), and bubbles on Γ_0 by onto(), which are of the size of rounding.
@@ -37,11 +75,16 @@ Plane<Number> onto(const Plane<Number>& u, const scene::Vector<2>& normal, const
 /// What is to be added to a vertex's plain displacement.
 template <class Number> Plane<Number> shift(const VertexSupport& support, const scene::Vector<2>& displacement) {
   const Plane<Number> u = plane<Number>(displacement);
-  if (support.fixed) return plane<Number>(support.displacement) - u;
+  if (support.fixed) {  // in this order: the first difference is small, the second may be smaller still
+    const auto& [a, b] = support.held.end;
+    const Plane<Number> from = between<Number>(displacement, a);
+    const double t = support.held.t;
+    return t == 0 ? from : t == 1 ? between<Number>(displacement, b) : from + Number(t) * between<Number>(a, b);
+  }
   if (support.slides == 0) return {};
-  if (support.slides == 1) return onto(u, support.normal[0], Number(support.value[0]));
-  const Plane<Number> a = plane<Number>(support.normal[0]), b = plane<Number>(support.normal[1]);
-  const Number of_a = Number(support.value[0]) - dot(a, u), of_b = Number(support.value[1]) - dot(b, u);
+  if (support.slides == 1) return onto(u, support.slide[0].normal, value<Number>(support.slide[0]));
+  const Plane<Number> a = plane<Number>(support.slide[0].normal), b = plane<Number>(support.slide[1].normal);
+  const Number of_a = value<Number>(support.slide[0]) - dot(a, u), of_b = value<Number>(support.slide[1]) - dot(b, u);
   const Number determinant = cross(a, b);
   return {(of_a * b.y - of_b * a.y) / determinant, (of_b * a.x - of_a * b.x) / determinant};
 }
@@ -50,8 +93,8 @@ template <class Number> Plane<Number> shift(const VertexSupport& support, const 
 template <class Number>
 Number component(const VertexSupport& support, const scene::Vector<2>& displacement, const scene::Vector<2>& d) {
   for (int i = 0; i < support.slides; ++i) {
-    if (support.normal[i] == d) return Number(support.value[i]);
-    if (support.normal[i] == -d) return -Number(support.value[i]);
+    if (support.slide[i].normal == d) return value<Number>(support.slide[i]);
+    if (support.slide[i].normal == -d) return -value<Number>(support.slide[i]);
   }
   const Plane<Number> along = plane<Number>(d);
   return dot(plane<Number>(displacement), along) + dot(shift<Number>(support, displacement), along);
@@ -70,7 +113,7 @@ Number approach(const std::vector<VertexSupport>& supports, const PlainField& fi
   return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, plane<Number>(d));
 }
 
-/// r − g of one contact facet as Bernstein coefficients: at its vertices 0 and 1 and in the middle. In K all are ≤ 0.
+/// r − g of one contact facet, g the lower gap, as Bernstein coefficients: at its vertices 0 and 1 and in the middle. In K all are ≤ 0.
 template <class Number>
 std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                   const PlainField& field, const scene::ContactFacet& pair) {
@@ -88,10 +131,9 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
     if (pair.second >= 0)
       bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
   }
-  const Number two(2), begin(pair.gap[0]), end(pair.gap[1]), middle(pair.gap[2]);
-  r[2] = (r[0] + r[1]) / two + two * bubble - (two * middle - (begin + end) / two);
-  r[0] -= begin;
-  r[1] -= end;
+  r[2] = (r[0] + r[1]) / Number(2) + Number(2) * bubble - Number(pair.lower[1]);
+  r[0] -= Number(pair.lower[0]);
+  r[1] -= Number(pair.lower[2]);
   return r;
 }
 
@@ -118,10 +160,11 @@ Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Nu
                           int cell) {
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
-  const Number doubled = doubled_area<Number>(mesh, cell);
+  const std::array<Plane<Number>, 3> x = corners<Number>(problem, cell);
+  const Number doubled = doubled_area(x);
   std::array<Plane<Number>, 3> gradient;  // of φ
   for (int k = 0; k < 3; ++k) {
-    const Plane<Number> opposite = between<Number>(mesh.vertices[v[(k + 1) % 3]], mesh.vertices[v[(k + 2) % 3]]);
+    const Plane<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
     gradient[k] = (Number(1) / doubled) * turned(opposite);
   }
   std::array<std::array<Number, 3>, 3> strain;
@@ -140,6 +183,34 @@ Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Nu
   return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); }, strain, doubled);
 }
 
+/// A correction of the first mesh's loads, by its true amount.
+template <class Number> struct Corrected {
+  int facet;  ///< of the first mesh
+  FacetLoad<Number> load;
+};
+
+/// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
+template <class Number>
+FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
+                                  int facet) {
+  FacetLoad<Number> load = given_load<Number>(problem, facet);
+  if (corrections.empty()) return load;
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  const Number width(corner[1][0] - corner[0][0]);
+  for (const auto& [corrected, added] : corrections)
+    for (int i = 0; i < 2 && corrected == of; ++i)
+      load[i] = load[i] + width * between_ends(added[0], added[1], corner[i][0]);
+  return load;
+}
+
+/// Whether anything is prescribed on a facet of Γ_τ.
+template <class Number>
+bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
+  const int of = scene::piece_of_facet(problem, facet).of;
+  return scene::is_loaded(scene::first_of(problem).facets[of]) ||
+         std::any_of(corrections.begin(), corrections.end(), [&](const auto& one) { return one.facet == of; });
+}
+
 /// ∫ T·u dτ over a facet of Γ_τ, T linear.
 template <class Number>
 Number facet_work(const scene::Mesh<2>& mesh, const std::vector<VertexSupport>& supports, const PlainField& field,
@@ -154,17 +225,11 @@ Number facet_work(const scene::Mesh<2>& mesh, const std::vector<VertexSupport>& 
   return linear + dot(load[0] + load[1], plane<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
 }
 
-/// Length of a facet.
-template <class Number> Number facet_length(const scene::Mesh<2>& mesh, int facet) {
-  const auto& [a, b] = mesh.boundary[facet].vertices;
-  const Plane<Number> e = between<Number>(mesh.vertices[a], mesh.vertices[b]);
-  return root(dot(e, e));
-}
-
-/// L of the field that `field` stands for [HH81 §1]. \tparam Sum with add() and value()
+/// L of the field that `field` stands for [HH81 §1].
+/// \param corrections as corrected() has them   \tparam Sum with add() and value()
 template <class Number, class Sum>
 FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                                 const PlainField& field) {
+                                 const PlainField& field, const std::vector<Corrected<Number>>& corrections) {
   const auto& mesh = problem.mesh;
   std::vector<Plane<Number>> shifts(field.vertex.size()), bubbles;
   for (std::size_t v = 0; v < shifts.size(); ++v) shifts[v] = shift<Number>(supports[v], field.vertex[v]);
@@ -185,15 +250,12 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
       u = u + plane<Number>(field.vertex[mesh.cells[c][k]]) + shifts[mesh.cells[c][k]];
       if (!bubbles.empty()) u = u + bubbles[mesh.cell_edges[c][k]];
     }
-    work.add(doubled_area<Number>(mesh, cell) / Number(6) * dot(plane<Number>(force), u));
+    work.add(doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(plane<Number>(force), u));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    if (!scene::is_loaded(data)) continue;
     const int facet = static_cast<int>(f);
-    const Number length = facet_length<Number>(mesh, facet);
-    work.add(facet_work<Number>(mesh, supports, field, facet,
-                        {length * plane<Number>(data.traction[0]), length * plane<Number>(data.traction[1])}));
+    if (!carries_load(problem, corrections, facet)) continue;
+    work.add(facet_work<Number>(mesh, supports, field, facet, prescribed_load(problem, corrections, facet)));
   }
   const Number half_a = strain.value();
   return {half_a, half_a - work.value()};

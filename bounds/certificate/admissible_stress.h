@@ -21,17 +21,10 @@ struct PlainLoads {
 };
 PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
 
-/// Loads on a facet in addition to its tractions, per unit of the parameter τ along it, at its vertices 0 and 1.
-template <class Number> struct AddedLoad {
-  int facet;
-  std::array<Plane<Number>, 2> load;
-};
-
 /// The same loads with `Number`, those of the data included.
-template <class Number> struct Loads {
+template <class Number> struct EdgeLoads {
   std::vector<SideLoad<Number>> edge;
   std::vector<std::array<Number, 2>> along_normal;
-  std::vector<AddedLoad<Number>> added;  ///< to the data: what these lack of balance by themselves
 };
 
 /// Whether a facet runs as its edge does, from the lower vertex to the higher.
@@ -43,12 +36,12 @@ template <class Number> SideLoad<Number> oriented(const SideLoad<Number>& load, 
 }
 
 template <class Number>
-void set_boundary_load(Loads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const SideLoad<Number>& load) {
+void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const SideLoad<Number>& load) {
   loads.edge[mesh.boundary[facet].edge] = oriented(load, forward(mesh.boundary[facet]));
 }
 
 /// Writes the loads of Γ_0 and Γ_K into the edges.
-template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, Loads<Number>& loads) {
+template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
   const auto along = [&](int facet, const Number& at0, const Number& at1) {
     const Plane<Number> n = plane<Number>(problem.facets[facet].normal);
     set_boundary_load(loads, problem.mesh, facet, {at0 * n, at1 * n});
@@ -63,17 +56,17 @@ template <class Number> void spread_normal_loads(const scene::Problem<2>& proble
   }
 }
 
-template <class Number> Loads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& given) {
-  Loads<Number> loads;
+/// \param corrections as corrected() has them
+template <class Number>
+EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& given,
+                           const std::vector<Corrected<Number>>& corrections) {
+  EdgeLoads<Number> loads;
   for (const auto& [a, b] : given.edge) loads.edge.push_back({plane<Number>(a), plane<Number>(b)});
   for (const auto& [a, b] : given.along_normal) loads.along_normal.push_back({Number(a), Number(b)});
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    if (!scene::is_loaded(data)) continue;
     const int facet = static_cast<int>(f);
-    const Number length = facet_length<Number>(problem.mesh, facet);
-    set_boundary_load(loads, problem.mesh, facet,
-                      {length * plane<Number>(data.traction[0]), length * plane<Number>(data.traction[1])});
+    if (carries_load(problem, corrections, facet))
+      set_boundary_load(loads, problem.mesh, facet, prescribed_load(problem, corrections, facet));
   }
   spread_normal_loads(problem, loads);
   return loads;
@@ -86,11 +79,13 @@ template <class Number> struct Block {
   std::array<int, 3> edge;
   std::array<bool, 3> forward;
 };
-template <class Number> Block<Number> block(const scene::Mesh<2>& mesh, const Loads<Number>& loads, int cell) {
+template <class Number>
+Block<Number> block(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads, int cell) {
+  const auto& mesh = problem.mesh;
   Block<Number> result;
+  result.x = corners<Number>(problem, cell);
   const auto& v = mesh.cells[cell];
   for (int i = 0; i < 3; ++i) {
-    result.x[i] = between<Number>(mesh.vertices[v[0]], mesh.vertices[v[i]]);
     result.edge[i] = mesh.cell_edges[cell][(i + 2) % 3];
     result.forward[i] = mesh.edges[result.edge[i]][0] == v[i];
     result.load[i] = oriented(loads.edge[result.edge[i]], result.forward[i]);
@@ -109,7 +104,7 @@ Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number
   }
   const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
   if (force.isZero(0)) return sum;
-  const Plane<Number> weight = (doubled_area<Number>(problem.mesh, cell) / Number(2)) * plane<Number>(force);
+  const Plane<Number> weight = (doubled_area(block.x) / Number(2)) * plane<Number>(force);
   sum.force = sum.force + weight;
   sum.moment += cross(block.x[1] + block.x[2], weight) / Number(3);
   return sum;
@@ -145,7 +140,7 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number>
 template <class Number>
 Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const Block<Number>& block,
                     int cell) {
-  const Number part = doubled_area<Number>(problem.mesh, cell) / Number(3);
+  const Number part = doubled_area(block.x) / Number(3);
   Number sum(0);
   for (const auto& corners : block_stress(problem, block, cell))
     sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, corners, part);
@@ -154,14 +149,13 @@ Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>&
 
 /// S(λ) [HH81 (1.11)] of the stresses of balanced loads. \tparam Sum with add() and value()
 template <class Number, class Sum>
-Number stress_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                     const Loads<Number>& loads) {
+Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
   const auto forms = elastic_forms<Number>(problem);
   const auto of_cells = [&](int begin, int end) {
     Sum sum;
     for (int cell = begin; cell < end; ++cell)
-      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], block(mesh, loads, cell), cell));
+      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], block(problem, loads, cell), cell));
     return sum.value();
   };
   const int cells = static_cast<int>(mesh.cells.size());
@@ -169,27 +163,23 @@ Number stress_energy(const scene::Problem<2>& problem, const std::vector<VertexS
   Sum energy;
   energy.add(of_cells(cells / 2, cells));
   energy.add(first_half.get());
+  const auto fixed = fixed_vertices(scene::first_of(problem));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& data = problem.facets[f];
-    const auto& facet = mesh.boundary[f];
-    if (data.support == scene::Support::fixed) {
-      const SideLoad<Number> load = oriented(loads.edge[facet.edge], forward(facet));
-      energy.add(-linear_product(load, {plane<Number>(data.displacement[0]), plane<Number>(data.displacement[1])}));
-    } else if (data.support == scene::Support::sliding) {
-      std::array<Number, 2> value;  // at a fixed vertex, that of its displacement
-      for (int i = 0; i < 2; ++i) {
-        const VertexSupport& vertex = supports[facet.vertices[i]];
-        value[i] = vertex.fixed ? dot(plane<Number>(vertex.displacement), plane<Number>(data.normal))
-                                : Number(data.normal_displacement[i]);
-      }
-      energy.add(-linear_product(loads.along_normal[f][0], loads.along_normal[f][1], value[0], value[1]));
+    const int facet = static_cast<int>(f);
+    if (problem.facets[f].support == scene::Support::fixed) {
+      const SideLoad<Number> load = oriented(loads.edge[mesh.boundary[f].edge], forward(mesh.boundary[f]));
+      energy.add(-linear_product(load, held_at<Number>(problem, facet)));
+    } else if (problem.facets[f].support == scene::Support::sliding) {
+      const auto [begin, end] = slides_of(problem, fixed, facet);
+      const auto& [at0, at1] = loads.along_normal[f];
+      energy.add(-linear_product(at0, at1, value<Number>(begin), value<Number>(end)));
     }
   }
-  for (const auto& pair : problem.contact) {  // Simpson's rule, exact for cubics
+  for (const auto& pair : problem.contact) {  // ∫ φ_i g of the hat functions φ_i, from Bernstein coefficients
     const auto& p = loads.along_normal[pair.first];
-    const Number two(2);
-    energy.add((p[0] * Number(pair.gap[0]) + two * (p[0] + p[1]) * Number(pair.gap[2]) + p[1] * Number(pair.gap[1])) /
-               Number(6));
+    const Number begin(pair.upper[0]), middle(pair.upper[1]), end(pair.upper[2]), two(2), three(3);
+    energy.add((p[0] * (three * begin + two * middle + end) + p[1] * (begin + two * middle + three * end)) /
+               Number(12));
   }
   return energy.value();
 }

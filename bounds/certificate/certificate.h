@@ -16,9 +16,6 @@ struct Certificate {
   double lower = 0;          ///< ≤ L(u)
   double upper = 0;          ///< ≥ L(u)
   double strain_energy = 0;  ///< ≤ ½ A(u_h,u_h)
-  /// Rounding of the data along rigid motions that nothing holds, removed from them: largest load added, by the
-  /// largest. The bounds are as far apart as its work could be.
-  double added_load = 0;
 };
 /// \param displacement, stress need not solve anything; the closer they do, the closer the bounds
 template <int dim>

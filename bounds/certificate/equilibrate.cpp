@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "bounds/certificate/links.h"
+
 
 namespace bracket::bounds {
 
@@ -109,7 +111,6 @@ namespace {
 struct Candidate {
   Reaction reaction;
   double weight;
-  int open_pair = -1;  ///< of a pressure of zero, which may rise
 };
 
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
@@ -120,12 +121,10 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     const auto& [a, b] = problem.mesh.boundary[f].vertices;
     const double length = (problem.mesh.vertices[b] - problem.mesh.vertices[a]).norm();
     const Support support = problem.facets[f].support;
-    if (support == Support::fixed || support == Support::traction)
-      for (int which = 0; which < 3; ++which)
-        result.push_back({{Reaction::Kind::any, facet, which},
-                          (support == Support::fixed ? 1 : of_data) / (which == 2 ? length : 1)});
-    if (support == Support::sliding)
-      for (int end = 0; end < 2; ++end) result.push_back({{Reaction::Kind::normal, facet, end}, 1});
+    for (int which = 0; which < 3 && support == Support::fixed; ++which)
+      result.push_back({{Reaction::Kind::any, facet, which}, 1 / (which == 2 ? length : 1)});
+    for (int end = 0; end < 2 && support == Support::sliding; ++end)
+      result.push_back({{Reaction::Kind::normal, facet, end}, 1});
   }
   std::vector<double> largest;  // pressure of each pair
   for (const auto& pair : problem.contact) {
@@ -133,29 +132,44 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     for (const double p : loads.along_normal[pair.first]) largest[pair.pair] = std::max(largest[pair.pair], p);
   }
   for (const auto& pair : problem.contact)
-    for (int end = 0; end < 2; ++end) {
-      const double p = loads.along_normal[pair.first][end];
+    for (int end = 0; end < 2 && largest[pair.pair] > 0; ++end)
       result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second},
-                        p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing,
-                        p == 0 ? pair.pair : -1});
-    }
+                        std::max(loads.along_normal[pair.first][end] / largest[pair.pair], of_nothing)});
+  for (std::size_t i = 0; i < scene::first_of(problem).corrections.size(); ++i)
+    result.push_back({{Reaction::Kind::correction, -1, static_cast<int>(i)}, of_data});
   return result;
 }
 
 }  // namespace
 
+std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLoads& loads) {
+  std::vector<char> carrying;
+  for (const auto& pair : problem.contact) {
+    carrying.resize(std::max<std::size_t>(carrying.size(), pair.pair + 1), 0);
+    for (const double p : loads.along_normal[pair.first]) carrying[pair.pair] |= p > 0;
+  }
+  return carrying;
+}
+
+PlainLoads no_loads(const scene::Problem<2>& problem) {
+  PlainLoads none;
+  none.edge.assign(problem.mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
+  none.along_normal.assign(problem.facets.size(), {0, 0});
+  return none;
+}
+
+PlainLoads assumed_loads(const scene::Problem<2>& first) {
+  PlainLoads assumed = no_loads(first);
+  for (const auto& pair : first.contact)
+    if (first.carries[pair.pair]) assumed.along_normal[pair.first] = {1, 1};
+  return assumed;
+}
+
 std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                                 const PlainLoads& loads, const std::vector<Reaction>& barred) {
   std::vector<Candidate> all = candidates(problem, loads);
-  const auto is_barred = [&](const Candidate& candidate) {
+  std::erase_if(all, [&](const Candidate& candidate) {
     return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
-  };
-  // Where one pressure of zero would have to be tension, or might, the others of its pair are not tried one by one.
-  std::vector<int> barred_pairs;
-  for (const Candidate& one : all)
-    if (one.open_pair >= 0 && is_barred(one)) barred_pairs.push_back(one.open_pair);
-  std::erase_if(all, [&](const Candidate& one) {
-    return is_barred(one) || std::find(barred_pairs.begin(), barred_pairs.end(), one.open_pair) != barred_pairs.end();
   });
   const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
@@ -169,6 +183,19 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vec
   for (Eigen::Index k = 0; k < n && std::abs(qr.matrixQR()(k, k)) > 1e-11; ++k)
     chosen.push_back(all[qr.colsPermutation().indices()[k]].reaction);
   return chosen;
+}
+
+bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
+                        const std::vector<char>& carrying) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  const auto corrections = std::count_if(chosen.begin(), chosen.end(), [](const Reaction& reaction) {
+    return reaction.kind == Reaction::Kind::correction;
+  });
+  if (corrections == 0) return true;
+  const int unheld = unheld_motions(first, carrying);
+  std::vector<char> either = carrying;
+  for (std::size_t pair = 0; pair < either.size(); ++pair) either[pair] |= first.carries[pair];
+  return corrections == unheld && unheld == unheld_motions(first, either);
 }
 
 bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads) {

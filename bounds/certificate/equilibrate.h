@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "bounds/certificate/admissible_stress.h"
-#include "bounds/certificate/enclosure.h"
 
 /// Exact balance of edge loads: what computed loads lack is carried to where the bodies are held. This is also the
 /// particular field λ̄ of HH81 (3.16)–(3.19), for loads that are zero inside.
@@ -13,8 +13,9 @@ namespace bracket::bounds {
 /// A load on one facet that can be had in any amount to hold bodies.
 struct Reaction {
   enum class Kind {
-    any,     ///< Γ_u, or Γ_τ: `which` 0, 1: uniform along x, y; 2: linear along the normal, without resultant force
-    normal   ///< Γ_0 and Γ_K: along the normal, at the facet's vertex `which`
+    any,        ///< Γ_u; `which` 0, 1: uniform along x, y; 2: linear along the normal, without resultant force
+    normal,     ///< Γ_0 and Γ_K: along the normal, at the facet's vertex `which`
+    correction  ///< of the first mesh's loads, `which` of Problem::corrections
   };
   Kind kind;
   int facet;
@@ -31,15 +32,24 @@ struct Reference {
 /// Of each body.
 std::vector<Reference> references(const scene::Mesh<2>& mesh);
 
-/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken where they are
-/// large and may fall, then those of zero, which may rise; loads on Γ_τ, which would change the data, only where
-/// nothing else holds a motion.
+/// Which contact pairs press anywhere.
+std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLoads& loads);
+
+/// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken of pairs that
+/// carry, where they are large and may fall before those of zero, which may rise; corrections only where nothing else
+/// acts on a motion.
 /// \param barred pressures that are not to be taken   \return fewer where no basis was found
 std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                                 const PlainLoads& loads, const std::vector<Reaction>& barred);
 
 /// Takes all pressures off the pairs of which one that is not zero is barred. \return false where there are none
 bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads);
+
+/// Whether the corrections among the reactions are zero exactly once the loads carry their own corrections: there are as
+/// many as motions on which no support and no pair that carries acts, and on none of these acts a pair that the
+/// corrections counted on. Then each such motion gains nothing from the loads and meets the corrections alone.
+bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
+                        const std::vector<char>& carrying);
 
 /// A cell in its body's tree of cells.
 struct Branch {
@@ -64,19 +74,16 @@ template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& prob
     const Plane<Number> unit = plane<Number>(scene::Vector<2>::Unit(reaction.which));
     return {unit, unit};
   }
-  const auto& [a, b] = problem.mesh.boundary[reaction.facet].vertices;
-  const Plane<Number> across = turned(between<Number>(problem.mesh.vertices[a], problem.mesh.vertices[b]));
+  const Plane<Number> across = turned(along<Number>(problem, reaction.facet));
   return {-across, across};
 }
 
 /// Resultant of a facet's load on its body.
 template <class Number>
-Resultant<Number> facet_resultant(const scene::Mesh<2>& mesh, const std::vector<Reference>& references, int facet,
-                                  const SideLoad<Number>& load) {
-  const auto& [a, b] = mesh.boundary[facet].vertices;
-  const auto& reference = references[mesh.cell_body[mesh.boundary[facet].cell]];
-  return resultant(load, between<Number>(reference.point, mesh.vertices[a]),
-                   between<Number>(mesh.vertices[a], mesh.vertices[b]));
+Resultant<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references,
+                                  int facet, const SideLoad<Number>& load) {
+  const auto& reference = references[problem.mesh.cell_body[problem.mesh.boundary[facet].cell]];
+  return resultant(load, arm<Number>(problem, reference.point, facet), along<Number>(problem, facet));
 }
 
 /// A body's entries of Gᵀp = e: force, and moment by the size of the body.
@@ -88,26 +95,30 @@ template <class Number> std::array<Number, 3> entries(const Reference& reference
 template <class Number>
 std::vector<Number> effect(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                            const Reaction& reaction) {
-  const auto& mesh = problem.mesh;
-  std::vector<Number> result(3 * mesh.bodies.size(), Number(0));
-  SideLoad<Number> load = unit_load<Number>(problem, reaction);
-  const auto on = [&](int facet, const SideLoad<Number>& on_facet) {
-    const int body = mesh.cell_body[mesh.boundary[facet].cell];
-    const auto part = entries(references[body], facet_resultant(mesh, references, facet, on_facet));
+  std::vector<Number> result(3 * problem.mesh.bodies.size(), Number(0));
+  const auto on = [&](const scene::Problem<2>& of, int facet, const SideLoad<Number>& on_facet) {
+    const int body = of.mesh.cell_body[of.mesh.boundary[facet].cell];
+    const auto part = entries(references[body], facet_resultant(of, references, facet, on_facet));
     for (int i = 0; i < 3; ++i) result[3 * body + i] += part[i];
   };
+  if (reaction.kind == Reaction::Kind::correction) {
+    const auto& [facet, unit] = scene::first_of(problem).corrections[reaction.which];
+    on(scene::first_of(problem), facet, {plane<Number>(unit[0]), plane<Number>(unit[1])});
+    return result;
+  }
+  SideLoad<Number> load = unit_load<Number>(problem, reaction);
   if (problem.facets[reaction.facet].support == scene::Support::contact) {  // a pressure
     load = {-load[0], -load[1]};
-    if (reaction.other >= 0) on(reaction.other, {-load[1], -load[0]});
+    if (reaction.other >= 0) on(problem, reaction.other, {-load[1], -load[0]});
   }
-  on(reaction.facet, load);
+  on(problem, reaction.facet, load);
   return result;
 }
 
 /// All that acts on the bodies from outside, as entries: the sum of what their cells lack.
 template <class Number, class Sum>
 std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<Reference>& references,
-                           const Loads<Number>& loads) {
+                           const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
   std::vector<Sum> sums(3 * mesh.bodies.size());
   const auto add = [&](int body, const Resultant<Number>& resultant) {
@@ -116,35 +127,33 @@ std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<R
   };
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& facet = mesh.boundary[f];
-    add(mesh.cell_body[facet.cell], facet_resultant(mesh, references, static_cast<int>(f),
+    add(mesh.cell_body[facet.cell], facet_resultant(problem, references, static_cast<int>(f),
                                                     oriented(loads.edge[facet.edge], forward(facet))));
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int body = mesh.cell_body[c];
     const scene::Vector<2>& force = problem.bodies[body].force;
     if (force.isZero(0)) continue;
-    Plane<Number> arm;  // three times that of the centroid
-    for (const int v : mesh.cells[c]) arm = arm + between<Number>(references[body].point, mesh.vertices[v]);
-    const Plane<Number> weight =
-        (doubled_area<Number>(mesh, static_cast<int>(c)) / Number(2)) * plane<Number>(force);
-    add(body, {weight, cross(arm, weight) / Number(3)});
+    const int cell = static_cast<int>(c);
+    const auto x = corners<Number>(problem, cell);
+    const Plane<Number> to_centroid =
+        arm_of_cell<Number>(problem, references[body].point, cell) + (Number(1) / Number(3)) * (x[1] + x[2]);
+    const Plane<Number> weight = (doubled_area(x) / Number(2)) * plane<Number>(force);
+    add(body, {weight, cross(to_centroid, weight)});
   }
   std::vector<Number> result;
   for (const Sum& sum : sums) result.push_back(sum.value());
   return result;
 }
 
-template <class Number> struct Balanced {
-  std::optional<Loads<Number>> loads;  ///< every cell in balance
-  std::string reason;                  ///< if there are none
-};
-
-/// Holds the bodies: reactions make the totals zero. \return false where they cannot be found
+/// The amounts of the chosen reactions that make the totals zero. \return nothing where they cannot be found
 template <class Number, class Sum>
-bool hold(const scene::Problem<2>& problem, const std::vector<Reference>& references,
-          const std::vector<Reaction>& chosen, Loads<Number>& loads) {
+std::optional<std::vector<Number>> amounts_that_hold(const scene::Problem<2>& problem,
+                                                     const std::vector<Reference>& references,
+                                                     const std::vector<Reaction>& chosen,
+                                                     const EdgeLoads<Number>& loads) {
   const std::size_t n = 3 * problem.mesh.bodies.size();
-  if (chosen.size() < n) return false;
+  if (chosen.size() < n) return {};
   std::vector<Number> missing = totals<Number, Sum>(problem, references, loads);
   std::vector<std::vector<Number>> matrix(n, std::vector<Number>(n));
   for (std::size_t j = 0; j < n; ++j) {
@@ -152,31 +161,67 @@ bool hold(const scene::Problem<2>& problem, const std::vector<Reference>& refere
     for (std::size_t i = 0; i < n; ++i) matrix[i][j] = column[i];
     missing[j] = -missing[j];
   }
-  const auto amounts = solution(std::move(matrix), std::move(missing));
-  if (!amounts) return false;
-  for (std::size_t j = 0; j < n; ++j) {
+  return solution(std::move(matrix), std::move(missing));
+}
+
+/// Holds the bodies: adds reactions that make the totals zero.
+template <class Number>
+void add_reactions(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
+                   const std::vector<Number>& amounts, EdgeLoads<Number>& loads) {
+  for (std::size_t j = 0; j < chosen.size(); ++j) {
     const auto& [kind, facet, which, other] = chosen[j];
-    if (kind == Reaction::Kind::normal) {
-      loads.along_normal[facet][which] += (*amounts)[j];
-      continue;
-    }
+    if (kind == Reaction::Kind::normal) loads.along_normal[facet][which] += amounts[j];
+    if (kind != Reaction::Kind::any) continue;
     SideLoad<Number> load = unit_load<Number>(problem, chosen[j]);
-    for (auto& end : load) end = (*amounts)[j] * end;
+    for (auto& end : load) end = amounts[j] * end;
     const bool along = forward(problem.mesh.boundary[facet]);
     auto& edge = loads.edge[problem.mesh.boundary[facet].edge];
     for (int end = 0; end < 2; ++end) edge[end] = edge[end] + oriented(load, along)[end];
-    if (problem.facets[facet].support == scene::Support::traction) loads.added.push_back({facet, load});
   }
   spread_normal_loads(problem, loads);
-  return true;
+}
+
+/// The loads of the data alone.
+PlainLoads no_loads(const scene::Problem<2>& problem);
+/// Those on the first mesh, with unit pressures where the corrections count on a pair: what reactions() chooses from.
+PlainLoads assumed_loads(const scene::Problem<2>& first);
+
+template <class Number> struct Corrections {
+  std::vector<Corrected<Number>> loads;
+  std::string reason;  ///< if they cannot be had: one line
+};
+
+/// The corrections of the first mesh's loads by their true amounts, of those that are on Γ_τ (others are zero): those with which the loads are in balance along all
+/// motions on which neither supports nor the pairs that carry act at all.
+template <class Number, class Sum> Corrections<Number> corrected(const scene::Problem<2>& problem) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  if (first.corrections.empty()) return {};
+  const std::vector<Reference> about = references(first.mesh);
+  const PlainLoads assumed = assumed_loads(first);
+  const std::vector<Reaction> chosen = reactions(first, about, assumed, {});
+  const EdgeLoads<Number> loads = loads_of<Number>(first, no_loads(first), {});
+  const auto amounts = amounts_that_hold<Number, Sum>(first, about, chosen, loads);
+  if (!amounts || !corrections_vanish(first, chosen, carrying_pairs(first, assumed)))
+    return {{}, "the corrections of the loads do not bring a body that nothing holds into balance"};
+  Corrections<Number> result;
+  for (std::size_t j = 0; j < chosen.size(); ++j) {
+    if (chosen[j].kind != Reaction::Kind::correction) continue;
+    const auto& [facet, unit] = first.corrections[chosen[j].which];
+    const Number& own = (*amounts)[j];
+    if (first.facets[facet].support == scene::Support::traction)
+      result.loads.push_back({facet, {own * plane<Number>(unit[0]), own * plane<Number>(unit[1])}});
+    else if (!certainly_non_negative(own) || !certainly_non_negative(-own))  // not zero
+      return {{}, "the weight of a body that nothing but contacts holds is not in balance to the last bit"};
+  }
+  return result;
 }
 
 /// The first of the chosen pressures that would have to be tension; nothing: none.
 template <class Number>
-std::optional<Reaction> in_tension(const Loads<Number>& loads, const std::vector<Reaction>& chosen,
+std::optional<Reaction> in_tension(const EdgeLoads<Number>& loads, const std::vector<Reaction>& chosen,
                                    const scene::Problem<2>& problem) {
   for (const Reaction& reaction : chosen)
-    if (problem.facets[reaction.facet].support == scene::Support::contact &&
+    if (reaction.kind == Reaction::Kind::normal && problem.facets[reaction.facet].support == scene::Support::contact &&
         !certainly_non_negative(loads.along_normal[reaction.facet][reaction.which]))
       return reaction;
   return {};
@@ -185,8 +230,8 @@ std::optional<Reaction> in_tension(const Loads<Number>& loads, const std::vector
 /// Balances every cell of bodies that are held: each cell, from the leaves of its body's tree on, hands what it lacks
 /// to its parent, through their common edge; the root lacks nothing.
 template <class Number>
-Loads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Reference>& about,
-                        const Loads<Number>& loads) {
+EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Reference>& about,
+                        const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again
   // from the loads that carry it, its enclosure would grow from cell to cell.
@@ -196,47 +241,58 @@ Loads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Refe
     sum.moment += part.moment;
   };
   const std::vector<Branch> branches = trees(mesh, about);
-  Loads<Number> result = loads;
+  EdgeLoads<Number> result = loads;
   for (auto branch = branches.rbegin(); branch != branches.rend(); ++branch) {
     if (branch->parent < 0) continue;
     const int i = branch->side;
-    const Block<Number> cell = block(mesh, loads, branch->cell);
+    const Block<Number> cell = block(problem, loads, branch->cell);
     Resultant<Number>& own = lacks[branch->cell];
     add_to(own, imbalance(problem, cell, branch->cell));
     const SideLoad<Number> carried =
         oriented(load_with({-own.force, -own.moment}, cell.x[i], cell.x[(i + 1) % 3] - cell.x[i]), cell.forward[i]);
     auto& edge = result.edge[cell.edge[i]];
     for (int end = 0; end < 2; ++end) edge[end] = edge[end] + carried[end];
-    const auto corner = [&](int c) -> const scene::Vector<2>& { return mesh.vertices[mesh.cells[c][0]]; };
-    const Plane<Number> arm = between<Number>(corner(branch->parent), corner(branch->cell));
-    add_to(lacks[branch->parent], {own.force, own.moment + cross(arm, own.force)});
+    // From the parent's first corner to that of the cell, by way of a corner that they share.
+    const auto& of_parent = mesh.cells[branch->parent];
+    const auto shared = std::find(of_parent.begin(), of_parent.end(), mesh.cells[branch->cell][i]) - of_parent.begin();
+    const Plane<Number> to_cell = corners<Number>(problem, branch->parent)[shared] - cell.x[i];
+    add_to(lacks[branch->parent], {own.force, own.moment + cross(to_cell, own.force)});
   }
   return result;
 }
 
+template <class Number> struct Balanced {
+  std::optional<EdgeLoads<Number>> loads;  ///< every cell in balance
+  std::string reason;                      ///< if there are none
+};
+
 /// Loads that balance every cell exactly: reactions hold the bodies as wholes, then cells hand on what they lack.
+/// \param corrections as corrected() has them
 template <class Number, class Sum>
-Balanced<Number> balanced(const scene::Problem<2>& problem, PlainLoads given) {
-  const std::vector<Reference> about = references(problem.mesh);
-  Loads<Number> loads;
+Balanced<Number> balanced(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
+                          PlainLoads given) {
+  const std::vector<Reference> about = references(scene::first_of(problem).mesh);
   // A pressure that is rounding itself may be too small to take what is missing: then another has to. Where none can,
   // all of its pair are rounding.
   constexpr std::size_t most = 20;
   std::vector<Reaction> barred;
   while (true) {
     const std::vector<Reaction> chosen = reactions(problem, about, given, barred);
-    loads = loads_of<Number>(problem, given);
-    if (barred.size() == most || !hold<Number, Sum>(problem, about, chosen, loads)) {
+    EdgeLoads<Number> loads = loads_of<Number>(problem, given, corrections);
+    std::optional<std::vector<Number>> amounts;
+    if (barred.size() < most && corrections_vanish(problem, chosen, carrying_pairs(problem, given)))
+      amounts = amounts_that_hold<Number, Sum>(problem, about, chosen, loads);
+    if (!amounts) {
       if (!drop_barred_pairs(problem, barred, given))
         return {{}, "no supports or contacts were found that take what rounding leaves of the loads"};
       barred.clear();
       continue;
     }
+    add_reactions(problem, chosen, *amounts, loads);
     const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
-    if (!tension) break;
+    if (!tension) return {handed_on(problem, about, loads), ""};
     barred.push_back(*tension);
   }
-  return {handed_on(problem, about, loads), ""};
 }
 
 }  // namespace bracket::bounds

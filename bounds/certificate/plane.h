@@ -3,10 +3,14 @@
 
 #include <array>
 
+#include "scene/enclosure.h"
 #include "scene/problem/problem.h"
 
 /// Vectors of the plane over any kind of number, for what is computed in enclosures, and exactly in the tests.
 namespace bracket::bounds {
+
+using scene::Enclosure;
+using scene::LongSum;
 
 template <class Number> struct Plane {
   Number x = Number(0), y = Number(0);
@@ -38,13 +42,6 @@ template <class Number> Number linear_product(const Number& a0, const Number& a1
 template <class Number>
 Number linear_product(const std::array<Plane<Number>, 2>& a, const std::array<Plane<Number>, 2>& b) {
   return linear_product(a[0].x, a[1].x, b[0].x, b[1].x) + linear_product(a[0].y, a[1].y, b[0].y, b[1].y);
-}
-
-/// Twice the area of a cell.
-template <class Number> Number doubled_area(const scene::Mesh<2>& mesh, int cell) {
-  const auto& [a, b, c] = mesh.cells[cell];
-  return cross(between<Number>(mesh.vertices[a], mesh.vertices[b]),
-               between<Number>(mesh.vertices[a], mesh.vertices[c]));
 }
 
 }  // namespace bracket::bounds

@@ -52,6 +52,10 @@ template <class Value> Value linear(const std::array<Value, 2>& ends, double s) 
   return (1 - s) * ends[0] + s * ends[1];
 }
 
+double bernstein(const std::array<double, 3>& c, double s) {
+  return (1 - s) * ((1 - s) * c[0] + 2 * s * c[1]) + s * s * c[2];
+}
+
 /// Values at 0, 1 and ½.
 template <class Value> Value quadratic(const std::array<Value, 3>& v, double s) {
   return (1 - s) * (1 - 2 * s) * v[0] + s * (2 * s - 1) * v[1] + 4 * s * (1 - s) * v[2];
@@ -78,7 +82,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto vector_at = [&](double s) -> Vector<dim> {
       const Vector<dim> at = linear(x, s);
       if (given.value.size() == 1)
-        return given.value[0](at) * (given.kind == ConditionKind::pressure ? Vector<dim>(-n) : n);
+        return given.value[0](at) *
+               (given.kind == ConditionKind::pressure ? Vector<dim>(-scene::normal(mesh, facet)) : n);
       return Vector<dim>(given.value[0](at), given.value[1](at));
     };
     const double length = scene::length(mesh, facet);
@@ -86,12 +91,14 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
       // What was taken off is orthogonal to linear functions; of linear displacements only the mean is taken off, as
       // what they lack of the exact ones is not known.
       const auto u = on_facet(mesh, displacement, facet);
+      const auto load = scene::load(problem, facet);
+      const std::array<Vector<dim>, 2> traction = {load[0] / length, load[1] / length};
       const std::array<Vector<dim>, 2> ends_of_u = {u[0], u[1]};
       const Vector<dim> mean = (u[0] + u[1]) / 2;
       energy += over_facet(length, [&](double s) {
         const Vector<dim> rest = displacement.degree == 2 ? Vector<dim>(quadratic(u, s) - linear(ends_of_u, s))
                                                           : Vector<dim>(linear(ends_of_u, s) - mean);
-        return (vector_at(s) - linear(data.traction, s)).norm() * rest.norm();
+        return (vector_at(s) - linear(traction, s)).norm() * rest.norm();
       });
     } else {
       const auto t = tractions(mesh, stress, facet);
@@ -108,7 +115,7 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto& ends = mesh.boundary[pair.first].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
     energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
-      const double moved = scene.contact[pair.pair].gap(linear(x, s)) - quadratic(pair.gap, s);
+      const double moved = scene.contact[pair.pair].gap(linear(x, s)) - bernstein(pair.lower, s);
       return std::abs(linear(states[j].pressure, s) * moved);
     });
   }

@@ -127,8 +127,10 @@ template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& pro
     if (data.support == Support::fixed) continue;
     const auto t = tractions(problem.mesh, stress, static_cast<int>(f));
     const Vector<dim>& n = data.normal;
+    const auto given = scene::load(problem, static_cast<int>(f));
+    const double length = scene::length(problem.mesh, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
-      if (data.support == Support::traction) raise(worst.traction, (t[i] - data.traction[i]).norm());
+      if (data.support == Support::traction) raise(worst.traction, (t[i] - given[i] / length).norm());
       else raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
       if (data.support == Support::contact) raise(worst.tension, t[i].dot(n));
     }

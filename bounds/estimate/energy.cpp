@@ -46,8 +46,8 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     const auto& data = problem.facets[f];
     if (!scene::is_loaded(data)) continue;
     const auto u = on_facet(mesh, displacement, static_cast<int>(f));
-    work += simpson(data.traction[0].dot(u[0]), (data.traction[0] + data.traction[1]).dot(u[2]) / 2,
-                    data.traction[1].dot(u[1]), scene::length(mesh, static_cast<int>(f)));
+    const auto load = scene::load(problem, static_cast<int>(f));
+    work += simpson(load[0].dot(u[0]), (load[0] + load[1]).dot(u[2]) / 2, load[1].dot(u[1]), 1);
   }
   return {static_cast<double>(strain), static_cast<double>(strain - work)};
 }
@@ -82,7 +82,8 @@ double complementary_energy(const scene::Problem<dim>& problem, const scene::Str
     const auto t = tractions(mesh, stress, pair.first);
     const Vector<dim>& n = problem.facets[pair.first].normal;
     const double p0 = -t[0].dot(n), p1 = -t[1].dot(n);
-    energy += simpson(p0 * pair.gap[0], (p0 + p1) / 2 * pair.gap[2], p1 * pair.gap[1], scene::length(mesh, pair.first));
+    energy += simpson(p0 * pair.upper[0], (p0 + p1) / 2 * scene::at_middle(pair.upper), p1 * pair.upper[2],
+                      scene::length(mesh, pair.first));
   }
   return static_cast<double>(energy);
 }

@@ -25,7 +25,8 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
     }
     ContactState state;
     for (int i = 0; i < 2; ++i) state.pressure[i] = -t[i].dot(d);
-    for (int i = 0; i < 3; ++i) state.gap_left[i] = pair.gap[i] - relative[i].dot(d);
+    const std::array<double, 3> gap = {pair.upper[0], pair.upper[2], scene::at_middle(pair.upper)};
+    for (int i = 0; i < 3; ++i) state.gap_left[i] = gap[i] - relative[i].dot(d);
     states.push_back(state);
   }
   return states;

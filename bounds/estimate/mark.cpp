@@ -11,7 +11,7 @@ std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indi
   const auto& mesh = problem.mesh;
   std::vector<double> share = indicator.cell;
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& [pair, first, second, gap] = problem.contact[j];
+    const int first = problem.contact[j].first, second = problem.contact[j].second;
     const double part = second < 0 ? indicator.contact[j] : indicator.contact[j] / 2;
     share[mesh.boundary[first].cell] += part;
     if (second >= 0) share[mesh.boundary[second].cell] += part;

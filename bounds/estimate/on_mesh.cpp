@@ -65,7 +65,7 @@ template <int dim> double largest_given(const scene::Problem<dim>& problem) {
     for (int i = 0; i < dim; ++i)
       largest = std::max({largest, data.displacement[i].norm(), std::abs(data.normal_displacement[i])});
   for (const auto& pair : problem.contact)
-    for (const double gap : pair.gap) largest = std::max(largest, std::abs(gap));
+    for (const double gap : pair.upper) largest = std::max(largest, std::abs(gap));
   return largest;
 }
 

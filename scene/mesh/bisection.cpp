@@ -3,7 +3,8 @@
 #include <cassert>
 #include <tuple>
 
-#include "scene/scene.h"
+#include "scene/enclosure.h"
+#include "scene/problem/refine.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -71,6 +72,7 @@ std::pair<Mesh<2>, Halves> with_halved_edges(const Mesh<2>& old, const std::vect
   mesh.bodies = old.bodies;
   mesh.parts = old.parts;
   mesh.notes = old.notes;
+  mesh.coordinate_rounding = old.coordinate_rounding;
   mesh.vertices.reserve(old.vertices.size() + count);
   mesh.vertices = old.vertices;
   mesh.edges.reserve(old.edges.size() + 3 * count);  // the other half, and a new edge in either cell
@@ -160,20 +162,70 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
   return {std::move(mesh), std::move(cell_parent)};
 }
 
-/// The data on the half of a facet that begins (half = 0) or ends (1) with it.
-FacetData<2> halved(FacetData<2> data, int half) {
-  const int middle = 1 - half;
-  data.traction[middle] = 0.5 * (data.traction[0] + data.traction[1]);
-  data.displacement[middle] = 0.5 * (data.displacement[0] + data.displacement[1]);
-  data.normal_displacement[middle] = 0.5 * (data.normal_displacement[0] + data.normal_displacement[1]);
+/// Halfway between two points of a simplex, in its barycentric coordinates.
+template <std::size_t d> std::array<double, d> halfway(const std::array<double, d>& a, const std::array<double, d>& b) {
+  std::array<double, d> middle;
+  for (std::size_t i = 0; i < d; ++i) {
+    middle[i] = 0.5 * (a[i] + b[i]);
+    // The coordinates are at most 1: a multiple of 2⁻⁵² shifted by one is one still.
+    if ((1 + middle[i]) - 1 == middle[i]) continue;
+    fail(Status::budget, "", "the mesh cannot be refined any further: its cells are 52 halvings small");
+  }
+  return middle;
+}
+
+/// The pieces of the first mesh's cells that the children are.
+std::vector<Piece<2>> pieces_of_cells(const Problem<2>& old, const Mesh<2>& mesh, const std::vector<int>& cell_parent,
+                                      const Halves& halves) {
+  std::vector<Piece<2>> pieces;
+  pieces.reserve(mesh.cells.size());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int parent = cell_parent[c];
+    const auto& vertices = old.mesh.cells[parent];
+    const Piece<2> whole = piece_of_cell(old, parent);
+    Piece<2> piece{whole.of, {}};
+    for (int i = 0; i < 3; ++i) {
+      const int vertex = mesh.cells[c][i];
+      for (int k = 0; k < 3; ++k) {
+        if (vertices[k] == vertex) piece.corner[i] = whole.corner[k];
+        if (halves.midpoint[old.mesh.cell_edges[parent][k]] == vertex)
+          piece.corner[i] = halfway(whole.corner[(k + 1) % 3], whole.corner[(k + 2) % 3]);
+      }
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+template <class Value> Value linear(const std::array<Value, 2>& ends, double t) {
+  if (t == 0 || t == 1) return ends[t == 0 ? 0 : 1];
+  return (1 - t) * ends[0] + t * ends[1];
+}
+
+/// The first mesh's data on a piece of one of its facets, rounded.
+FacetData<2> on_piece(FacetData<2> data, const Piece<1>& piece) {
+  const FacetData<2> given = data;
+  const double width = piece.corner[1][0] - piece.corner[0][0];
+  for (int i = 0; i < 2; ++i) {
+    const double t = piece.corner[i][0];
+    data.traction[i] = linear(given.traction, t);
+    data.pressure[i] = linear(given.pressure, t);
+    data.correction[i] = width * linear(given.correction, t);
+    data.displacement[i] = linear(given.displacement, t);
+    data.normal_displacement[i] = linear(given.normal_displacement, t);
+  }
   return data;
 }
 
-std::array<double, 3> halved(const std::array<double, 3>& gap, int half) {
-  const auto& [begin, end, middle] = gap;
-  const double near = half == 0 ? begin : end, far = half == 0 ? end : begin;
-  const double quarter = middle + 0.375 * (near - middle) - 0.125 * (far - middle);  // a constant stays to the last bit
-  return half == 0 ? std::array{begin, middle, quarter} : std::array{middle, end, quarter};
+/// Bernstein coefficients of a quadratic on the stretch [from, to] of its facet: its blossom.
+std::array<Enclosure, 3> on_stretch(const std::array<double, 3>& whole, double from, double to) {
+  const auto between = [](const Enclosure& a, const Enclosure& b, double t) {
+    return t == 0 ? a : t == 1 ? b : a + Enclosure(t) * (b - a);
+  };
+  const auto blossom = [&](double s, double t) {
+    return between(between(whole[0], whole[1], s), between(whole[1], whole[2], s), t);
+  };
+  return {blossom(from, from), blossom(from, to), blossom(to, to)};
 }
 
 /// Fills the boundary and its data. \return with the first of each old facet's one or two children, in its order
@@ -185,23 +237,37 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
   for (std::size_t i = 0; i < old.mesh.boundary.size(); ++i) {
     const auto& facet = old.mesh.boundary[i];
     const auto& [a, b] = facet.vertices;
-    const auto add = [&](const std::array<int, 2>& vertices, int edge, const FacetData<2>& data) {
+    const Piece<1> whole = piece_of_facet(old, static_cast<int>(i));
+    const auto add = [&](const std::array<int, 2>& vertices, int edge, const Piece<1>& piece) {
       mesh.boundary.push_back({vertices, slot[edge] / 3, slot[edge] % 3, edge, facet.part});
-      problem.facets.push_back(data);
+      problem.facets.push_back(on_piece(first_of(old).facets[piece.of], piece));
+      problem.origin.facets.push_back(piece);
     };
     first_child.push_back(static_cast<int>(mesh.boundary.size()));
     const int middle = halves.midpoint[facet.edge];
     if (middle == -1) {
-      add(facet.vertices, halves.first[facet.edge], old.facets[i]);
+      add(facet.vertices, halves.first[facet.edge], whole);
     } else {
-      add({a, middle}, half_at(old.mesh, halves, facet.edge, a), halved(old.facets[i], 0));
-      add({middle, b}, half_at(old.mesh, halves, facet.edge, b), halved(old.facets[i], 1));
+      const auto cut = halfway(whole.corner[0], whole.corner[1]);
+      add({a, middle}, half_at(old.mesh, halves, facet.edge, a), {whole.of, {whole.corner[0], cut}});
+      add({middle, b}, half_at(old.mesh, halves, facet.edge, b), {whole.of, {cut, whole.corner[1]}});
     }
   }
   return {std::move(problem), std::move(first_child)};
 }
 
 }  // namespace
+
+ContactFacet on_piece(const ContactFacet& given, int first, int second, const Piece<1>& piece) {
+  ContactFacet facet{given.pair, first, second, {}, {}};
+  const double from = piece.corner[0][0], to = piece.corner[1][0];
+  const auto below = on_stretch(given.lower, from, to), above = on_stretch(given.upper, from, to);
+  for (int i = 0; i < 3; ++i) {
+    facet.lower[i] = lower(below[i]);
+    facet.upper[i] = upper(above[i]);
+  }
+  return facet;
+}
 
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked) {
   static_assert(dim == 2);
@@ -211,22 +277,33 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
   refined.problem.bodies = problem.bodies;
   refined.problem.oscillation = problem.oscillation;
   refined.problem.length_scale = problem.length_scale;
+  refined.problem.corrections = problem.corrections;
+  refined.problem.carries = problem.carries;
+  refined.problem.imbalance = problem.imbalance;
+  Origin<dim>& origin = refined.problem.origin;
+  origin.first = problem.origin.first ? problem.origin.first : std::make_shared<const Problem<dim>>(problem);
   auto [mesh, halves] = with_halved_edges(problem.mesh, bisected_edges(problem, marked));
   std::tie(refined.problem.mesh, refined.cell_parent) = with_children(std::move(mesh), problem.mesh, halves);
+  origin.cells = pieces_of_cells(problem, refined.problem.mesh, refined.cell_parent, halves);
   std::vector<int> first_child;
   std::tie(refined.problem, first_child) = with_boundary(std::move(refined.problem), problem, halves);
+  std::vector<int> contact_of_facet(origin.first->facets.size(), -1);
+  for (std::size_t i = 0; i < origin.first->contact.size(); ++i)
+    contact_of_facet[origin.first->contact[i].first] = static_cast<int>(i);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    const auto& [pair, first, second, gap] = problem.contact[i];
-    const auto add = [&](int one, int other, const std::array<double, 3>& values) {
-      refined.problem.contact.push_back({pair, one, other, values});
+    const int first = problem.contact[i].first, second = problem.contact[i].second;
+    const auto add = [&](int one, int other) {
+      const Piece<dim - 1>& piece = refined.problem.origin.facets[one];
+      refined.problem.contact.push_back(
+          on_piece(origin.first->contact[contact_of_facet[piece.of]], one, other, piece));
       refined.contact_parent.push_back(static_cast<int>(i));
     };
     const int one = first_child[first], other = second == -1 ? -1 : first_child[second];
     if (halves.midpoint[problem.mesh.boundary[first].edge] == -1) {
-      add(one, other, gap);
+      add(one, other);
     } else {  // the second facet runs the other way
-      add(one, other == -1 ? -1 : other + 1, halved(gap, 0));
-      add(one + 1, other, halved(gap, 1));
+      add(one, other == -1 ? -1 : other + 1);
+      add(one + 1, other);
     }
   }
   return refined;

@@ -113,6 +113,21 @@ std::vector<GmshFile::Element<2>> lines_in_groups(const GmshFile& file) {
   return lines;
 }
 
+/// What the digits of a file leave open of its coordinates, by their size: they have as many as the longest of them has.
+/// Fewer than six are not taken for rounding, but for what is meant.
+double rounding_of(const std::vector<Vector<2>>& points) {
+  std::size_t digits = 0;
+  for (const Vector<2>& x : points)
+    for (int c = 0; c < 2; ++c) {
+      const std::string text = fmt::format("{:e}", x[c]);  // the shortest that reads back
+      digits = std::max<std::size_t>(digits, std::count_if(text.begin(), text.begin() + text.find('e'), [](char sign) {
+        return sign >= '0' && sign <= '9';
+      }));
+    }
+  if (digits < 6 || digits > 15) return std::numeric_limits<double>::epsilon() / 2;
+  return 5 * std::pow(10.0, -static_cast<double>(digits));
+}
+
 }  // namespace
 
 template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& path) {
@@ -142,6 +157,7 @@ template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& path) {
     vertex[node] = static_cast<int>(mesh.vertices.size());
     mesh.vertices.push_back({file.nodes[node].x[0], file.nodes[node].x[1]});
   }
+  mesh.coordinate_rounding = rounding_of(mesh.vertices);
   for (auto& cell : mesh.cells) {
     for (int& corner : cell) corner = vertex[corner];
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "scene/types.h"
@@ -29,6 +30,9 @@ template <int dim> struct Mesh {
   std::vector<Facet> boundary;     ///< every edge that has a cell on one side only
   std::vector<std::string> parts;  ///< names of the boundary parts
   std::vector<std::string> notes;  ///< what was mended on reading, one line each
+  /// By how much coordinates may be off what their author meant, by their size: the last place of a double, or of the
+  /// digits of a file.
+  double coordinate_rounding = std::numeric_limits<double>::epsilon() / 2;
 };
 
 /// Reads a Gmsh ASCII file, version 2.2 or 4.1, of first-order triangles. Physical surfaces name the bodies, physical

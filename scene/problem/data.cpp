@@ -87,11 +87,11 @@ std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
       }
       for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
         if (mesh.boundary[facet].part != first) continue;
-        contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}});
+        contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}, {}});
       }
     } else {
       for (const auto& [one, other] : match_sides(mesh, first, claim(pair.second, {"rigid"}), pair.where)) {
-        contact.push_back({static_cast<int>(i), one, other, {}});
+        contact.push_back({static_cast<int>(i), one, other, {}, {}});
       }
     }
   }
@@ -114,10 +114,26 @@ struct FixedFacets {
   Extent traction, displacement;
 };
 
-FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions) {
+/// Of each facet, whether it slides or touches.
+std::vector<char> directed(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
+                           const std::vector<ContactFacet>& contact) {
+  std::vector<char> result(mesh.boundary.size(), 0);
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+    const int part = mesh.boundary[facet].part;
+    result[facet] = part != -1 && conditions[part] != nullptr && conditions[part]->kind == ConditionKind::sliding;
+  }
+  for (const ContactFacet& pair : contact) {
+    result[pair.first] = 1;
+    if (pair.second != -1) result[pair.second] = 1;
+  }
+  return result;
+}
+
+FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
+                       const std::vector<ContactFacet>& contact) {
   FixedFacets fixed;
   fixed.facets.resize(mesh.boundary.size());
-  const std::vector<Vector<2>> normals = shared_normals(mesh);
+  const std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
     FacetData<2>& data = fixed.facets[facet];
@@ -139,7 +155,7 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
           case ConditionKind::fixed: data.displacement[end][i] = value; break;
           case ConditionKind::sliding: data.normal_displacement[end] = value; break;
           case ConditionKind::traction: data.traction[end][i] = value; break;
-          case ConditionKind::pressure: data.traction[end] = -value * data.normal; break;
+          case ConditionKind::pressure: data.pressure[end] = value; break;
         }
       }
     }
@@ -159,7 +175,23 @@ double bounding_box_diagonal(const Mesh<2>& mesh) {
 }  // namespace
 
 template <int dim> bool is_loaded(const FacetData<dim>& data) {
-  return data.support == Support::traction && !(data.traction[0].isZero(0) && data.traction[1].isZero(0));
+  const auto acts = [](const Vector<dim>& load) { return !load.isZero(0); };
+  return data.support == Support::traction &&
+         (std::any_of(data.traction.begin(), data.traction.end(), acts) ||
+          std::any_of(data.correction.begin(), data.correction.end(), acts) ||
+          std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }));
+}
+
+template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet) {
+  static_assert(dim == 2);
+  const FacetData<dim>& data = problem.facets[facet];
+  const auto& [a, b] = problem.mesh.boundary[facet].vertices;
+  const Vector<dim> along = problem.mesh.vertices[b] - problem.mesh.vertices[a];
+  const Vector<dim> outward(along[1], -along[0]);  // as long as the facet
+  std::array<Vector<dim>, dim> result;
+  for (int i = 0; i < dim; ++i)
+    result[i] = along.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
+  return result;
 }
 
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
@@ -171,7 +203,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   problem.mesh = with_sides_joined(std::move(mesh), problem.contact);
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 
-  FixedFacets fixed = fix_facets(problem.mesh, conditions);
+  FixedFacets fixed = fix_facets(problem.mesh, conditions, problem.contact);
   problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
   Extent gap;
   for (ContactFacet& facet : problem.contact) {
@@ -181,7 +213,8 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
     const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
     const EdgeValues<3> values =
         interpolate_quadratic(pair.gap, problem.mesh.vertices[a], problem.mesh.vertices[b], pair.where);
-    facet.gap = values.value;
+    const auto& [start, end, middle] = values.value;
+    facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
     gap.include(values);
   }
   gap.error = std::max(gap.error, make_room(problem));
@@ -194,6 +227,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
 }
 
 template bool is_loaded(const FacetData<2>&);
+template std::array<Vector<2>, 2> load(const Problem<2>&, int);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
 
 }  // namespace bracket::scene

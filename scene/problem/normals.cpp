@@ -2,7 +2,9 @@
 #include "scene/problem/normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
 
@@ -60,24 +62,53 @@ std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double 
   return result;
 }
 
-/// The normal of the facet that stands for a cluster.
-Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster) {
-  const auto rank = [&](const Line& line) {
-    const bool along_axis = (normal(mesh, line.facet).array() == 0).any();
-    return std::pair(along_axis, length(mesh, line.facet));
+/// The facets of a cluster that `counts` names, put together where one ends and the next begins, from end to end.
+std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line> cluster,
+                                       const std::vector<char>& counts) {
+  std::map<int, int> to, from;  // the other end of the chain that begins, or ends, at a vertex
+  for (const Line& line : cluster) {
+    if (!counts.empty() && !counts[line.facet]) continue;
+    auto [begin, end] = mesh.boundary[line.facet].vertices;
+    if (const auto before = from.find(begin); before != from.end()) {
+      begin = before->second;
+      from.erase(before);
+    }
+    if (const auto behind = to.find(end); behind != to.end()) {
+      const int last = behind->second;
+      to.erase(behind);
+      end = last;
+    }
+    to[begin] = end;
+    from[end] = begin;
+  }
+  std::vector<std::array<int, 2>> result;
+  for (const auto& [begin, end] : to) result.push_back({begin, end});
+  return result;
+}
+
+/// The normal that stands for a cluster.
+Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster, const std::vector<char>& counts) {
+  auto lines = chains(mesh, cluster, counts);
+  if (lines.empty()) lines = chains(mesh, cluster, {});
+  const auto chord = [&](const std::array<int, 2>& ends) -> Vector<2> {
+    return mesh.vertices[ends[1]] - mesh.vertices[ends[0]];
   };
-  const auto best = std::max_element(cluster.begin(), cluster.end(),
-                                     [&](const Line& a, const Line& b) { return rank(a) < rank(b); });
-  return normal(mesh, best->facet);
+  const auto rank = [&](const std::array<int, 2>& ends) {
+    return std::pair((chord(ends).array() == 0).any(), chord(ends).norm());
+  };
+  const auto best = std::max_element(lines.begin(), lines.end(),
+                                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const Vector<2> along = chord(*best);
+  return Vector<2>(along[1], -along[0]).normalized();
 }
 
 }  // namespace
 
-std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh) {
+std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh, const std::vector<char>& counts) {
   std::vector<Vector<2>> normals(mesh.boundary.size());
   const std::vector<Line> lines = sorted_lines(mesh);
   for (const auto& cluster : clusters(lines, coordinate_rounding)) {
-    const Vector<2> shared = direction(mesh, cluster);
+    const Vector<2> shared = direction(mesh, cluster, counts);
     for (const Line& line : cluster)
       normals[line.facet] = shared.dot(normal(mesh, line.facet)) > 0 ? shared : Vector<2>(-shared);
   }

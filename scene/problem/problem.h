@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "scene/material.h"
@@ -16,19 +18,31 @@ enum class Support {
   contact    ///< Γ_K
 };
 
+/// As many copies of a value as a facet has vertices.
+template <int dim, class Value> std::array<Value, dim> at_vertices(const Value& value) {
+  std::array<Value, dim> result;
+  result.fill(value);
+  return result;
+}
+
 /// The data of one boundary facet, at its vertices, linear between.
 template <int dim> struct FacetData {
   Support support = Support::traction;
-  /// The direction of sliding, pressure and contact: the unit outward normal, one and the same to the last bit for all
+  /// The direction of sliding and contact: the unit outward normal, one and the same to the last bit for all
   /// facets of the scene whose normals agree, up to sign, within 1e-6 rad (rounding of coordinates, not geometry; on a
   /// fine arc less, see scene/normals.h). So facets that meet continue each other where their normals are equal, and
   /// form a corner where they are not. The mesh's own normal() differs by that rounding; it belongs in Cauchy's λn.
   Vector<dim> normal = Vector<dim>::Zero();
-  std::array<Vector<dim>, dim> traction = {Vector<dim>::Zero(), Vector<dim>::Zero()};
-  std::array<Vector<dim>, dim> displacement = {Vector<dim>::Zero(), Vector<dim>::Zero()};
-  std::array<double, dim> normal_displacement = {0, 0};  ///< along `normal`
+  std::array<Vector<dim>, dim> traction = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
+  /// In addition to `traction`. It acts against the facet's own outward normal, whatever `normal` is: so a uniform
+  /// pressure on a closed contour is in balance, however its nodes were rounded.
+  std::array<double, dim> pressure = at_vertices<dim>(0.0);
+  /// In addition, per unit of the facet's parameter: see Correction.
+  std::array<Vector<dim>, dim> correction = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
+  std::array<Vector<dim>, dim> displacement = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
+  std::array<double, dim> normal_displacement = at_vertices<dim>(0.0);  ///< along `normal`
 };
-/// Whether a traction is prescribed on the facet that is not zero.
+/// Whether the facet belongs to Γ_τ and carries a load.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
 
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
@@ -37,8 +51,15 @@ struct ContactFacet {
   int pair;                   ///< index into Scene::contact
   int first;                  ///< index into Mesh::boundary; its FacetData::normal is d
   int second;                 ///< likewise, its normal is −d; −1: a rigid wall
-  std::array<double, 3> gap;  ///< at the first facet's vertices 0 and 1 and at its midpoint; quadratic between
+  /// Bernstein coefficients of two quadratics, from vertex 0 of the first facet to its vertex 1, between which the gap
+  /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only, where
+  /// refinement has cut a parabola, and are equal on the first mesh.
+  std::array<double, 3> lower, upper;
 };
+/// The value of a quadratic with these Bernstein coefficients at the middle of its facet.
+inline double at_middle(const std::array<double, 3>& gap) {
+  return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2]));
+}
 
 /// By how much fixing the data on the mesh moved the given functions: largest difference by largest value.
 struct Oscillation {
@@ -47,7 +68,39 @@ struct Oscillation {
   double gap = 0;
 };
 
-/// A scene on a mesh. One fixed problem of which the two formulations compute bounds; refinement inherits it.
+/// What the loads lack of balance, taken off as a multiple of a load on a facet of the first mesh (at its vertices,
+/// linear between, per unit of its parameter). The multiples are the real numbers by which the loads balance exactly;
+/// FacetData::correction holds them rounded.
+template <int dim> struct Correction {
+  int facet;
+  std::array<Vector<dim>, dim> unit;
+};
+
+/// A simplex that refinement cut from one of the first mesh: its vertices in barycentric coordinates 1 … d of that one.
+/// They are multiples of a power of two, of at most 52 binary places, so that they and their differences are exact.
+template <int d> struct Piece {
+  int of;
+  std::array<std::array<double, d>, d + 1> corner;
+};
+
+template <int dim> struct Problem;
+
+/// Where a mesh comes from. Midpoints are rounded where they become coordinates, data where they become numbers; what
+/// is meant is the first mesh's cells, facets and data, cut exactly. So all meshes of a run carry one problem.
+template <int dim> struct Origin {
+  std::shared_ptr<const Problem<dim>> first;  ///< the problem on the first mesh; null: this is the first
+  std::vector<Piece<dim>> cells;              ///< as Mesh::cells; empty on the first mesh, so below
+  std::vector<Piece<dim - 1>> facets;         ///< as Mesh::boundary
+};
+/// The piece that a cell or facet of the first mesh is of itself.
+template <int d> Piece<d> whole(int of) {
+  Piece<d> piece{of, {}};
+  for (int i = 0; i < d; ++i) piece.corner[i + 1][i] = 1;
+  return piece;
+}
+
+/// A scene on a mesh. One fixed problem of which the two formulations compute bounds; refinement inherits it. Whoever
+/// changes a problem by hand does so on its first mesh.
 template <int dim> struct Problem {
   Mesh<dim> mesh;
   std::vector<Body<dim>> bodies;           ///< as Mesh::bodies
@@ -55,6 +108,26 @@ template <int dim> struct Problem {
   std::vector<ContactFacet> contact;
   Oscillation oscillation;
   double length_scale = 1;  ///< diameter of the bounding box
+  std::vector<Correction<dim>> corrections;  ///< of the first mesh's loads, as long as there are motions that nothing
+                                             ///< holds; see bounds::balanced()
+  double imbalance = 0;  ///< the largest of the corrections' resultants by the size of all loads
+  std::vector<char> carries;                 ///< of each contact pair, where there are corrections: whether the loads need
+                                             ///< its pressure
+  Origin<dim> origin;
 };
+
+/// The problem on the first mesh.
+template <int dim> const Problem<dim>& first_of(const Problem<dim>& problem) {
+  return problem.origin.first ? *problem.origin.first : problem;
+}
+template <int dim> Piece<dim> piece_of_cell(const Problem<dim>& problem, int cell) {
+  return problem.origin.first ? problem.origin.cells[cell] : whole<dim>(cell);
+}
+template <int dim> Piece<dim - 1> piece_of_facet(const Problem<dim>& problem, int facet) {
+  return problem.origin.first ? problem.origin.facets[facet] : whole<dim - 1>(facet);
+}
+
+/// The loads of Γ_τ on a facet, all kinds added up, at its vertices, per unit of its parameter (traction · length).
+template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet);
 
 }  // namespace bracket::scene

@@ -109,9 +109,15 @@ double make_room(Problem<2>& problem) {
       const auto first = at_end(facet.first, end, d);
       const auto second = facet.second == -1 ? Prescribed{} : at_end(facet.second, 1 - end, d);
       if (!first || !second) continue;
-      const double size = first->size + second->size + std::abs(facet.gap[end]) + problem.length_scale;
-      most = std::max(
-          most, raise(facet.gap[end], first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size));
+      double& gap = facet.lower[2 * end];
+      const double size = first->size + second->size + std::abs(gap) + problem.length_scale;
+      const double raised = raise(gap, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size);
+      facet.upper[2 * end] = gap;
+      if (raised == 0) continue;
+      most = std::max(most, raised);
+      problem.mesh.notes.push_back(
+          fmt::format("the gap at {} was raised by {:.2g}: the displacements prescribed there close it by rounding",
+                      point(mesh.vertices[mesh.boundary[facet.first].vertices[end]]), raised));
     }
   }
   return most;

@@ -10,7 +10,7 @@ namespace {
 /// The message with which a scene is refused as ill-posed; empty if it is not.
 std::string refusal(const scene::Scene<2>& scene) {
   try {
-    check_solvability(tests::problem(scene), scene.solve.degree);
+    balanced(tests::problem(scene), scene.solve.degree);
   } catch (const scene::Error& error) {
     EXPECT_EQ(error.status(), scene::Status::ill_posed);
     return error.what();

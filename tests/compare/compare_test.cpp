@@ -43,6 +43,12 @@ double facet_work(const scene::Mesh<2>& mesh, int facet, const std::array<Vector
          ((2 * traction[0] + traction[1]).dot(field[a]) + (traction[0] + 2 * traction[1]).dot(field[b]));
 }
 
+std::array<Vector<2>, 2> tractions_of(const scene::Problem<2>& problem, int facet) {
+  const auto load = scene::load(problem, facet);
+  const double length = scene::length(problem.mesh, facet);
+  return {load[0] / length, load[1] / length};
+}
+
 /// ℓ(v)
 double load_work(const scene::Problem<2>& problem, const TestField& field) {
   const auto& mesh = problem.mesh;
@@ -52,7 +58,7 @@ double load_work(const scene::Problem<2>& problem, const TestField& field) {
       work += scene::volume(mesh, static_cast<int>(c)) / 3 * problem.bodies[mesh.cell_body[c]].force.dot(field[v]);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support == Support::traction)
-      work += facet_work(mesh, static_cast<int>(f), problem.facets[f].traction, field);
+      work += facet_work(mesh, static_cast<int>(f), tractions_of(problem, static_cast<int>(f)), field);
   return work;
 }
 

@@ -126,7 +126,7 @@ TEST(Matching, ARigidWallTakesAllFacetsOfItsPart) {
   ASSERT_EQ(problem.contact.size(), 3u);
   for (const ContactFacet& facet : problem.contact) {
     EXPECT_EQ(facet.second, -1);
-    EXPECT_EQ(facet.gap, (std::array{0.5, 0.5, 0.5}));
+    EXPECT_EQ(facet.lower, (std::array{0.5, 0.5, 0.5}));
     EXPECT_EQ(problem.facets[facet.first].support, Support::contact);
     EXPECT_EQ(problem.facets[facet.first].normal, Vector<2>(0, -1));
   }

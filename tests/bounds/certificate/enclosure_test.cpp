@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "bounds/certificate/enclosure.h"
+#include "scene/enclosure.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,13 @@
 
 namespace bracket::bounds {
 namespace {
+
+using scene::Enclosure;
+using scene::exact_sum;
+using scene::ExactSum;
+using scene::LongSum;
+using scene::Real;
+namespace rounding = scene::rounding;
 
 Rational least(const Enclosure& x) { return Rational(x.middle) - Rational(x.radius); }
 Rational most(const Enclosure& x) { return Rational(x.middle) + Rational(x.radius); }

@@ -27,12 +27,13 @@ ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const Pla
   return u;
 }
 
-ExactStress exact_stress(const scene::Problem<2>& problem, const Loads<Exact>& loads) {
+ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact>& loads,
+                         const std::vector<Corrected<Exact>>& added) {
   const auto& mesh = problem.mesh;
   ExactStress stress;
-  stress.added = loads.added;
+  stress.added = added;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    Block<Exact> cell = block(mesh, loads, static_cast<int>(c));
+    Block<Exact> cell = block(problem, loads, static_cast<int>(c));
     const Point force = plane<Exact>(problem.bodies[mesh.cell_body[c]].force);
     // −(F_x y, F_y x) as shear stress and its like: −(0, 0, F_x y + F_y x) has the divergence −F.
     const auto carried = [&](const Point& x) {
@@ -157,9 +158,11 @@ Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& di
               const scene::Stress<2>& stress) {
   Judged result;
   result.field = admissible_field(problem, displacement, vertex_supports(problem)).field.value();
-  result.loads = balanced<Exact, RationalSum>(problem, plain_loads(problem, stress)).loads.value();
+  const auto [corrections, reason] = corrected<Exact, RationalSum>(problem);
+  EXPECT_EQ(reason, "");
+  result.loads = balanced<Exact, RationalSum>(problem, corrections, plain_loads(problem, stress)).loads.value();
   result.displacement = exact_displacement(problem, result.field);
-  result.stress = exact_stress(problem, result.loads);
+  result.stress = exact_stress(problem, result.loads, corrections);
   return result;
 }
 

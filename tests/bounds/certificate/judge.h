@@ -22,11 +22,12 @@ using ExactVoigt = std::array<Exact, 3>;  ///< xx, yy, xy; strains: twice xy
 struct ExactStress {
   /// As BlockStress: at the corners i, i + 1 and the centroid of the part at the side i → i + 1 of each cell.
   std::vector<std::array<std::array<ExactVoigt, 3>, 3>> cell;
-  std::vector<AddedLoad<Exact>> added;  ///< to the tractions of the data
+  std::vector<Corrected<Exact>> added;  ///< corrections of the loads
 };
 /// The block elements' stresses of balanced loads. What carries the body force differs from the certificate's choice by
 /// a field without divergence that block elements have: the stress is the same.
-ExactStress exact_stress(const scene::Problem<2>& problem, const Loads<Exact>& loads);
+ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact>& loads,
+                         const std::vector<Corrected<Exact>>& added);
 
 /// What keeps the field from being in K, one line each.
 std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
@@ -35,7 +36,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
 
 /// L, with the work of added loads.
 Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement,
-                       const std::vector<AddedLoad<Exact>>& added);
+                       const std::vector<Corrected<Exact>>& added);
 /// S. \param displacement in K: what it is on Γ_u and Γ_0 is what is prescribed there
 Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress,
                            const ExactDisplacement& displacement);
@@ -45,7 +46,7 @@ Exact distance(const scene::Problem<2>& problem, const ExactStress& stress, cons
 /// What certify() made of two fields, in rational numbers.
 struct Judged {
   PlainField field;
-  Loads<Exact> loads;
+  EdgeLoads<Exact> loads;
   ExactDisplacement displacement;
   ExactStress stress;
 };

@@ -72,7 +72,7 @@ Exact work(const OnFacet& a, const OnFacet& b) {
 }  // namespace
 
 Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement& u,
-                       const std::vector<AddedLoad<Exact>>& added) {
+                       const std::vector<Corrected<Exact>>& added) {
   const auto& mesh = problem.mesh;
   Exact result;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {

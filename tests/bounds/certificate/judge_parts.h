@@ -74,7 +74,7 @@ inline OnFacet load_on(const scene::Mesh<2>& mesh, const ExactStress& stress, in
 }
 
 /// The tractions of the data, per unit of the parameter, and what is added to them.
-inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<AddedLoad<Exact>>& added, int facet) {
+inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<Corrected<Exact>>& added, int facet) {
   const auto& mesh = problem.mesh;
   const auto& [a, b] = mesh.boundary[facet].vertices;
   const Point side = between<Exact>(mesh.vertices[a], mesh.vertices[b]);
@@ -84,6 +84,7 @@ inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<A
     const Exact length = root(dot(side, side));
     for (int i = 0; i < 2; ++i) result[i] = length * plane<Exact>(data.traction[i]);
   }
+  for (int i = 0; i < 2; ++i) result[i] = result[i] - Exact(data.pressure[i]) * outward(side);
   for (const auto& [at_facet, load] : added)
     for (int i = 0; i < 2 && at_facet == facet; ++i) result[i] = result[i] + load[i];
   result[2] = half * (result[0] + result[1]);
@@ -102,7 +103,8 @@ inline ExactVoigt approach(const scene::Problem<2>& problem, const ExactDisplace
 }
 
 inline ExactVoigt gap(const scene::ContactFacet& pair) {
-  return {Exact(pair.gap[0]), Exact(pair.gap[1]), Exact(pair.gap[2])};
+  const Exact begin(pair.lower[0]), middle(pair.lower[1]), end(pair.lower[2]);
+  return {begin, end, half * (half * (begin + end) + middle)};
 }
 
 inline ExactVoigt pressure(const scene::Problem<2>& problem, const ExactStress& stress,

@@ -1,13 +1,22 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cfloat>
 #include <cmath>
 #include <limits>
 
-namespace bracket::bounds {
+namespace bracket::scene {
 
-/// Extended precision where the machine has it: more digits make the enclosures narrower, never less safe.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "enclosures need the arithmetic of IEEE 754 as it is written: compile without -ffast-math and its parts"
+#endif
+
+/// Extended precision: more digits make the enclosures narrower.
 using Real = long double;
+static_assert(std::numeric_limits<Real>::is_iec559 && std::numeric_limits<Real>::digits >= 64 &&
+                  std::numeric_limits<Real>::min_exponent10 < -4000,
+              "enclosures need a long double of IEEE extended precision or more");
+static_assert(FLT_EVAL_METHOD == 0, "enclosures need doubles that are computed as doubles");
 
 /// A real number known to lie within `radius` of `middle`. Every operation gives an enclosure of all values that its
 /// operands allow, rounding of its own included; no rounding mode is changed. What cannot be enclosed (a divisor around
@@ -29,8 +38,7 @@ struct Enclosure {
 namespace rounding {
 inline constexpr Real half_ulp = std::numeric_limits<Real>::epsilon() / 2;
 /// More than underflow can lose; so large that products of radii do not become denormal, which would be slow.
-inline constexpr Real smallest =
-    std::numeric_limits<Real>::min_exponent10 < -4000 ? 1e-1200L : std::numeric_limits<Real>::min();
+inline constexpr Real smallest = 1e-1200L;
 /// Not less than the exact value of a sum of at most ten products and sums of non-negative numbers.
 inline Real up(Real value) { return value * (1 + 32 * half_ulp) + smallest; }
 }  // namespace rounding
@@ -111,4 +119,4 @@ class LongSum {
   Enclosure rest_;
 };
 
-}  // namespace bracket::bounds
+}  // namespace bracket::scene

@@ -1,0 +1,13 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace bracket::bounds {
+
+/// What this thread's arithmetic lacks of what enclosures need, in one line; empty: nothing. Round to nearest, denormal
+/// numbers kept, extended precision not cut short, products and sums not contracted: all can be changed at run time, by
+/// whoever shares the process.
+std::string arithmetic_fault();
+
+}  // namespace bracket::bounds

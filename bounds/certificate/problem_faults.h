@@ -1,0 +1,23 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "scene/problem/problem.h"
+
+namespace bracket::bounds {
+
+/// Why a problem is not one that certify() can stand for, in one line; empty: it is. In linear time it checks that
+/// - every index is in range, every number finite, every material definite;
+/// - cells are counter-clockwise, an edge belongs to one cell or to two that walk it in opposite ways, the boundary is
+///   what has one cell;
+/// - after refinement: cells are dyadic pieces of the first mesh's which meet in the same points, facets are pieces that
+///   cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's;
+/// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
+///   the two sides and within 25° of the geometric normals;
+/// - displacements that are prescribed twice agree.
+/// It trusts that the cells of the first mesh do not overlap beyond their edges, and that the first mesh and its data
+/// are what the user meant.
+std::string problem_fault(const scene::Problem<2>& problem);
+
+}  // namespace bracket::bounds
