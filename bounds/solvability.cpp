@@ -114,14 +114,19 @@ scene::Problem<2> without_corrections(scene::Problem<2> problem) {
   return problem;
 }
 
-/// By how much, as a force, loads may lack balance that are meant to have it: what rounding does to their sums, to the
-/// coordinates, and to the directions of supports and contacts, which stand for normals. Twofold, as moments have it
-/// once more.
-double explained_imbalance(const scene::Problem<2>& problem) {
+/// By how much, as a force, loads may lack balance that are meant to have it. Twofold, as moments have it once more.
+struct Imbalance {
+  double in_doubles = 0;  ///< by the rounding of sums and coordinates in double precision
+  double explained = 0;   ///< also by the digits of the mesh file, and by directions that stand for other normals
+};
+
+Imbalance possible_imbalance(const scene::Problem<2>& problem) {
   const auto& mesh = problem.mesh;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double terms = static_cast<double>(mesh.boundary.size() + mesh.cells.size()) + 64;  // and those of each value
   double farthest = 0, size = 0, per_length = 0, largest = 0, turned = 0;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : mesh.edges) shortest = std::min(shortest, (mesh.vertices[b] - mesh.vertices[a]).norm());
   for (const Vector<2>& x : mesh.vertices) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const double force = problem.bodies[mesh.cell_body[c]].force.norm() * scene::volume(mesh, static_cast<int>(c));
@@ -143,19 +148,22 @@ double explained_imbalance(const scene::Problem<2>& problem) {
     const int facet = static_cast<int>(f);
     turned += scene::length(mesh, facet) * (scene::normal(mesh, facet) - data.normal).norm();
   }
-  const double coordinates = mesh.coordinate_rounding * farthest;
-  return 2 * (terms * epsilon * size + per_length * coordinates + largest * turned);
+  const double in_doubles = 2 * (terms * epsilon * size + per_length * epsilon * farthest);
+  // Digits that would move nodes by more than a thousandth of the shortest edge are what is meant.
+  const double digits = mesh.coordinate_rounding * farthest;
+  return {in_doubles, in_doubles + 2 * (per_length * (digits <= 1e-3 * shortest ? digits : 0) + largest * turned)};
 }
 
 /// The problem with corrections along all motions that neither supports nor the pairs that the loads need act on.
 /// \param pressure that balances the loads but for what is explained, as rows of approaches()
-scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::VectorXd& pressure, double explained) {
+/// \param rounding what a pair carries at most if it carries nothing
+scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::VectorXd& pressure, double rounding) {
   for (const auto& pair : problem.contact)
     problem.carries.resize(std::max<std::size_t>(problem.carries.size(), pair.pair + 1), 0);
   std::vector<double> force(problem.carries.size(), 0);
   for (std::size_t j = 0; j < problem.contact.size(); ++j)
     force[problem.contact[j].pair] += pressure[2 * j] + pressure[2 * j + 1];
-  for (std::size_t pair = 0; pair < force.size(); ++pair) problem.carries[pair] = force[pair] > explained;
+  for (std::size_t pair = 0; pair < force.size(); ++pair) problem.carries[pair] = force[pair] > rounding;
   const int unheld = unheld_motions(problem, problem.carries);
   if (unheld == 0) {
     problem.carries.clear();
@@ -210,16 +218,17 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
   if (all.motion.empty()) return problem;
   const Eigen::MatrixXd rows = approaches(problem, all);
   const LoadWork given = load_work(problem, all);
-  const double explained = explained_imbalance(problem);
+  const auto [rounding, explained] = possible_imbalance(problem);
   contact::Balance balance{true, Eigen::VectorXd::Zero(rows.rows()), {}};
-  if (given.size > 0) balance = contact::balance(rows, given.work, explained);
+  if (given.size > 0) balance = contact::balance(rows, given.work, rounding);
+  if (!balance.possible) balance = contact::balance(rows, given.work, explained);
   if (!balance.possible)
     throw scene::Error(scene::Status::ill_posed,
                        explain(problem, all, balance.motion) +
                            fmt::format(", with a force of {:.3g} of which rounding explains {:.3g}; support it, or "
                                        "change the loads so that pressure balances them",
                                        balance.motion.norm(), explained));
-  return with_corrections(std::move(problem), balance.pressure, explained);
+  return with_corrections(std::move(problem), balance.pressure, rounding);
 }
 
 template scene::Problem<2> balanced(scene::Problem<2>, int);

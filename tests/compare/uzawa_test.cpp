@@ -18,9 +18,11 @@ struct Case {
   scene::Problem<2> problem;
 };
 
+scene::Problem<2> balanced(const scene::Scene<2>& scene) { return bounds::balanced(problem(scene), 2); }
+
 Case from_file(const std::string& name) {
   const auto folder = std::filesystem::path(BRACKET_SCENES);
-  return {name, problem(scene::read_scene<2>(folder / (name + ".toml")))};
+  return {name, balanced(scene::read_scene<2>(folder / (name + ".toml")))};
 }
 
 /// Supports and loads of all kinds, floating bodies, walls, inclined contact, weight, unlike moduli.
@@ -29,11 +31,11 @@ std::vector<Case> cases() {
   raised.contact[0].gap = [](const Vector<2>& x) { return 0.01 * x[0]; };
   LinearPressure unlike;
   unlike.young_upper = 20;
-  return {{"patch", problem(patch(1e6, 0.3, 0.01, 3))},
-          {"linear pressure", problem(linear_pressure({.c = 0.9}, 4, 2))},
-          {"unlike moduli", problem(linear_pressure(unlike, 2, 1))},
-          {"lift-off", problem(two_blocks(3))},
-          {"gap", problem(raised)},
+  return {{"patch", balanced(patch(1e6, 0.3, 0.01, 3))},
+          {"linear pressure", balanced(linear_pressure({.c = 0.9}, 4, 2))},
+          {"unlike moduli", balanced(linear_pressure(unlike, 2, 1))},
+          {"lift-off", balanced(two_blocks(3))},
+          {"gap", balanced(raised)},
           from_file("gravity"),
           from_file("example_1"),
           from_file("example_2"),
