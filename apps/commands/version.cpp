@@ -7,6 +7,7 @@
 #include <suitesparse/cholmod.h>
 
 #include <Eigen/Core>
+#include <bracket/version.h>
 
 namespace bracket::apps {
 namespace {
@@ -25,7 +26,7 @@ std::string version_text() {
       "bracket {}\n"
       "deal.II {}, Eigen {}.{}.{}, CHOLMOD {}.{}.{}, METIS {}.{}.{}\n"
       "BLAS: {}\n",
-      BRACKET_VERSION, DEAL_II_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
+      BRACKET_VERSION_STRING, DEAL_II_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
       CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION, METIS_VER_MAJOR, METIS_VER_MINOR,
       METIS_VER_SUBMINOR, blas());
 }

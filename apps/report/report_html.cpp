@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bracket/version.h>
 #include <cmath>
 
 #include "apps/report/html.h"
@@ -180,7 +181,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
   html += seconds(report) + checks(outcome.levels.back().checks);
   html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);
   html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);
-  return html + "<footer>Bracket " BRACKET_VERSION "</footer>\n</main>\n</body>\n</html>\n";
+  return html + "<footer>Bracket " + BRACKET_VERSION_STRING + "</footer>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace bracket::apps

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bracket/version.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -62,7 +63,7 @@ Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lowe
 
 }  // namespace
 
-Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION}}; }
+Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION_STRING}}; }
 
 Json heading(const scene::Scene<2>& scene) {
   Json json = heading();
