@@ -1,13 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/commands/version.h"
 
+#include <bracket/version.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <metis.h>
 #include <suitesparse/cholmod.h>
 
 #include <Eigen/Core>
-#include <bracket/version.h>
 
 namespace bracket::apps {
 namespace {

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <bracket/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bracket/version.h>
 #include <cmath>
 
 #include "apps/report/html.h"

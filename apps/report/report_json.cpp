@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <bracket/version.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bracket/version.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
