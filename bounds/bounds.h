@@ -8,8 +8,8 @@
 #include "bounds/estimate/estimate.h"
 #include "contact/contact.h"
 
-/// The bracket −S(λ_h) ≤ L(u) ≤ L(u_h) and what follows from it (design §1.1). Everything here is computed from plain
-/// field values by code of its own: what certifies shares nothing with what solves.
+/// The bracket −S(λ_h) ≤ L(u) ≤ L(u_h) and what follows from it (docs/theory.md §1). Everything here is computed from
+/// plain field values by code of its own: what certifies shares nothing with what solves.
 namespace bracket::bounds {
 
 struct Seconds {

@@ -154,6 +154,39 @@ Imbalance possible_imbalance(const scene::Problem<2>& problem) {
   return {in_doubles, in_doubles + 2 * (per_length * (digits <= 1e-3 * shortest ? digits : 0) + largest * turned)};
 }
 
+/// The unit loads that a facet of Γ_τ can be given, at its ends per unit of its parameter: uniform along x and y, and
+/// linear across it without resultant force.
+std::array<std::array<Vector<2>, 2>, 3> unit_loads(const scene::Mesh<2>& mesh, int facet) {
+  const Vector<2> n = scene::normal(mesh, facet);
+  return {{{Vector<2>::Unit(0), Vector<2>::Unit(0)}, {Vector<2>::Unit(1), Vector<2>::Unit(1)}, {n, -n}}};
+}
+
+/// The problem with tractions that do, in each motion, as much more work as `missing` says, on few facets.
+scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all, const Eigen::VectorXd& missing) {
+  const auto& mesh = problem.mesh;
+  std::vector<int> facets;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (problem.facets[f].support == Support::traction) facets.push_back(static_cast<int>(f));
+  if (facets.empty()) return problem;
+  Eigen::MatrixXd work = Eigen::MatrixXd::Zero(missing.size(), static_cast<Eigen::Index>(3 * facets.size()));
+  for (std::size_t j = 0; j < facets.size(); ++j)
+    for (int which = 0; which < 3; ++which)
+      for (std::size_t m = 0; m < all.motion.size(); ++m) {
+        if (all.body[m] != mesh.cell_body[mesh.boundary[facets[j]].cell]) continue;
+        const auto load = unit_loads(mesh, facets[j])[which];
+        for (int i = 0; i < 2; ++i)
+          work(m, 3 * j + which) += (2 * load[i] + load[1 - i]).dot(displacement(
+                                        all.motion[m], mesh.vertices[mesh.boundary[facets[j]].vertices[i]])) / 6;
+      }
+  const Eigen::VectorXd amounts = work.colPivHouseholderQr().solve(missing);
+  for (std::size_t j = 0; j < facets.size(); ++j)
+    for (int which = 0; which < 3; ++which)
+      for (int i = 0; i < 2; ++i)
+        problem.facets[facets[j]].traction[i] +=
+            amounts[3 * j + which] / scene::length(mesh, facets[j]) * unit_loads(mesh, facets[j])[which][i];
+  return problem;
+}
+
 /// The problem with corrections along all motions that neither supports nor the pairs that the loads need act on.
 /// \param pressure that balances the loads but for what is explained, as rows of approaches()
 /// \param rounding what a pair carries at most if it carries nothing
@@ -177,11 +210,8 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
     // A body with no facet on Γ_τ has no load but its weight: what is to be taken off must be zero to the last bit.
     const bool loadable = can_be_loaded[mesh.cell_body[mesh.boundary[f].cell]];
     if (problem.facets[f].support != (loadable ? Support::traction : Support::contact)) continue;
-    const auto& [a, b] = mesh.boundary[f].vertices;
-    const Vector<2> along = mesh.vertices[b] - mesh.vertices[a], across(-along[1] / along.norm(), along[0] / along.norm());
-    for (int c = 0; c < 2; ++c)
-      problem.corrections.push_back({static_cast<int>(f), {Vector<2>::Unit(c), Vector<2>::Unit(c)}});
-    problem.corrections.push_back({static_cast<int>(f), {-across, across}});
+    for (const auto& unit : unit_loads(mesh, static_cast<int>(f)))
+      problem.corrections.push_back({static_cast<int>(f), unit});
   }
   const auto about = references(mesh);
   std::vector<scene::Correction<2>> chosen;
@@ -217,7 +247,7 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
   const FreeMotions<dim> all = all_free_motions(problem);
   if (all.motion.empty()) return problem;
   const Eigen::MatrixXd rows = approaches(problem, all);
-  const LoadWork given = load_work(problem, all);
+  LoadWork given = load_work(problem, all);
   const auto [rounding, explained] = possible_imbalance(problem);
   contact::Balance balance{true, Eigen::VectorXd::Zero(rows.rows()), {}};
   if (given.size > 0) balance = contact::balance(rows, given.work, rounding);
@@ -228,7 +258,17 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
                            fmt::format(", with a force of {:.3g} of which rounding explains {:.3g}; support it, or "
                                        "change the loads so that pressure balances them",
                                        balance.motion.norm(), explained));
-  return with_corrections(std::move(problem), balance.pressure, rounding);
+  double changed = 0;
+  if (const Eigen::VectorXd left = given.work - rows.transpose() * balance.pressure; left.norm() > rounding) {
+    // What a contact holds by the rounding of its directions only: there it must not have to.
+    problem = with_work(std::move(problem), all, -left);
+    changed = left.cwiseAbs().maxCoeff() / given.size;
+    given = load_work(problem, all);
+    if (const auto exact = contact::balance(rows, given.work, rounding); exact.possible) balance = exact;
+  }
+  problem = with_corrections(std::move(problem), balance.pressure, rounding);
+  problem.imbalance = std::max(problem.imbalance, changed);
+  return problem;
 }
 
 template scene::Problem<2> balanced(scene::Problem<2>, int);

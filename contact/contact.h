@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Elastic bodies in frictionless contact, reduced to their common interface (design §1.5): bodies as sparse systems
-/// in, pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
+/// Elastic bodies in frictionless contact, reduced to their common interface (docs/theory.md §5): bodies as sparse
+/// systems in, pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
 namespace bracket::contact {
 
 /// One body: K u = f − Bᵀ p, where u are its unknowns and p the multipliers of all contact rows.

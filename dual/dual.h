@@ -4,7 +4,7 @@
 #include "contact/contact.h"
 #include "scene/scene.h"
 
-/// Stresses: the lower bound. Self-equilibrated triangular block elements (design §1.4; HH81 §2.1, §3).
+/// Stresses: the lower bound. Self-equilibrated triangular block elements (docs/theory.md §4; HH81 §2.1, §3).
 namespace bracket::dual {
 
 template <int dim> struct Result {

@@ -4,7 +4,7 @@
 #include "contact/contact.h"
 #include "scene/scene.h"
 
-/// Displacements: the upper bound. Lagrange elements on triangles, exactly admissible: u_h ∈ K (design §1.3).
+/// Displacements: the upper bound. Lagrange elements on triangles, exactly admissible: u_h ∈ K (docs/theory.md §3).
 namespace bracket::primal {
 
 template <int dim> struct Result {

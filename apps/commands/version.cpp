@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/commands/version.h"
 
+#include <bracket/version.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <metis.h>
@@ -25,7 +26,7 @@ std::string version_text() {
       "bracket {}\n"
       "deal.II {}, Eigen {}.{}.{}, CHOLMOD {}.{}.{}, METIS {}.{}.{}\n"
       "BLAS: {}\n",
-      BRACKET_VERSION, DEAL_II_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
+      BRACKET_VERSION_STRING, DEAL_II_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
       CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION, METIS_VER_MAJOR, METIS_VER_MINOR,
       METIS_VER_SUBMINOR, blas());
 }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <bracket/version.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -180,7 +181,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
   html += seconds(report) + checks(outcome.levels.back().checks);
   html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);
   html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);
-  return html + "<footer>Bracket " BRACKET_VERSION "</footer>\n</main>\n</body>\n</html>\n";
+  return html + "<footer>Bracket " + BRACKET_VERSION_STRING + "</footer>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace bracket::apps

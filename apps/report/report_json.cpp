@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <bracket/version.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,7 +63,7 @@ Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lowe
 
 }  // namespace
 
-Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION}}; }
+Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION_STRING}}; }
 
 Json heading(const scene::Scene<2>& scene) {
   Json json = heading();

@@ -3,8 +3,8 @@
 
 #include "scene/scene.h"
 
-/// Given functions, fixed on one edge by few values (design §1.2). All throw Error (input), at `where`, if the function
-/// is not finite at a point where it is needed.
+/// Given functions, fixed on one edge by few values (docs/theory.md §2). All throw Error (input), at `where`, if the
+/// function is not finite at a point where it is needed.
 namespace bracket::scene {
 
 template <int n> struct EdgeValues {

@@ -37,7 +37,8 @@ class Command : public testing::Test {
 /// Arguments that make a scene be refined without end.
 extern const char* const endlessly;
 
-/// Two blocks pressed together on the left half of the top, pulled apart on the right (design §3), on few cells.
+/// Two blocks pressed together on the left half of the top, pulled apart on the right, on few cells (docs/theory.md
+/// §9.2).
 extern const char* const two_blocks;
 
 /// Half a beam in bending, on a shear-free wall, without contact: σ_xx = y, else zero, u quadratic. Both formulations

@@ -53,7 +53,7 @@ TEST_F(Extremes, FollowEverySweepOrSayWhyNot) {
     EXPECT_NE(ended.out.find("left out: " + line), std::string::npos) << line;
   }
   EXPECT_EQ(told, names);
-  // The left block of the design's scene is held sideways: loads tilt as they like.
+  // The left block of the scene is held sideways: loads tilt as they like.
   EXPECT_EQ(sweeps.count("resultant to the end"), 0u);
   for (const auto& [name, rows] : sweeps) {
     EXPECT_GE(rows.size(), 5u) << name;

@@ -7,9 +7,9 @@
 #include "bounds/bounds.h"
 #include "tests/support/scenes.h"
 
-/// The main job, both formulations and the estimate, on the two blocks of design §6.2 with n × n cells each, beside the
-/// same with the contact pair glued by hand into one body: what contact costs is their ratio. And the start of the
-/// program, which is most of what a small scene takes.
+/// The main job, both formulations and the estimate, on the two blocks of docs/theory.md §9.2 with n × n cells each,
+/// beside the same with the contact pair glued by hand into one body: what contact costs is their ratio. And the start
+/// of the program, which is most of what a small scene takes.
 /// bracket_benchmarks --benchmark_repetitions=3 --benchmark_enable_random_interleaving=true
 namespace bracket {
 namespace {

@@ -88,7 +88,7 @@ template <class Function> double integral(const Function& f) {
   return sum;
 }
 
-// With contact the square of the bound has two more terms than the errors [bounds/README.md]:
+// With contact the square of the bound has two more terms than the errors [docs/theory.md §1.3]:
 //     2 width = ‖u − u_h‖² + ‖σ − λ_h‖² + 2 ∫ p (g − r_h) + 2 ∫ p_h (g − r).
 // On three_halves.toml p = √|x| where x < 0, and where x > 0 the gap left is 4 (1 − ν²)/(3 E) x^(3/2).
 TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-/// Exact energies L(u) of the scenes that have one (design §6; apps/scenes), as functions of the scenes' parameters.
-/// All are per unit thickness, in the units of the parameters. The bounds are −S(λ_h) ≤ L(u) ≤ L(u_h).
+/// Exact energies L(u) of the scenes that have one (docs/theory.md §9; apps/scenes), as functions of the scenes'
+/// parameters. All are per unit thickness, in the units of the parameters. The bounds are −S(λ_h) ≤ L(u) ≤ L(u_h).
 namespace bracket::tests {
 
 /// E' = E / (1 − ν²) in plane strain, E in plane stress.
@@ -13,27 +13,27 @@ inline double plane_modulus(double young, double poisson, bool plane_stress = fa
   return plane_stress ? young : young / (1 - poisson * poisson);
 }
 
-/// Design §6.1, patch.toml: bodies of one material, `width` wide and `height` high together, on a sliding base, their
-/// sliding top lowered by `lowering`: p = E' lowering / height, L(u) = ½ p lowering width.
+/// docs/theory.md §9.1, patch.toml: bodies of one material, `width` wide and `height` high together, on a sliding base,
+/// their sliding top lowered by `lowering`: p = E' lowering / height, L(u) = ½ p lowering width.
 /// \param modulus E'
 inline double patch_energy(double modulus, double lowering, double width, double height) {
   return 0.5 * modulus * lowering * lowering * width / height;
 }
 
-/// One block of the scene of design §6.3.
+/// One block of the scene of docs/theory.md §9.3.
 struct Layer {
   double thickness;
   double modulus;  ///< E'
 };
 
-/// Design §6.3, linear_pressure.toml: the pressure p0 (1 − c x) on −1 < x < 1 passes unchanged through both blocks:
-/// L(u) = −p0² (1 + c²/3) (t₁/E₁' + t₂/E₂').
+/// docs/theory.md §9.3, linear_pressure.toml: the pressure p0 (1 − c x) on −1 < x < 1 passes unchanged through both
+/// blocks: L(u) = −p0² (1 + c²/3) (t₁/E₁' + t₂/E₂').
 /// \pre |c| ≤ 1
 inline double linear_pressure_energy(double p0, double c, const Layer& lower, const Layer& upper) {
   return -p0 * p0 * (1 + c * c / 3) * (lower.thickness / lower.modulus + upper.thickness / upper.modulus);
 }
 
-/// Design §6.4, westergaard.toml: half a period (0, ½) × (0, height), plane strain, over a wall with the gap
+/// docs/theory.md §9.4, westergaard.toml: half a period (0, ½) × (0, height), plane strain, over a wall with the gap
 /// amplitude (1 − cos 2πx).
 struct Westergaard {
   double young;
@@ -62,10 +62,10 @@ inline double westergaard_energy(const Westergaard& scene) {
   return -0.25 * mean * (mean * scene.height / confined + wave);
 }
 
-/// Design §6.5, three_halves.toml: (−1, 1) × (0, 1) on a rigid wall, plane strain, with the contact pressure √|x| where
-/// x < 0. The energy density is (1 + ν)/(2E) ((1 − 2ν)(r − x) + y²/(2r)); on each half of the domain ∫ y²/r = ½ ∫ r:
-/// L(u) = −(1 + ν)(5 − 8ν)(√2 + arsinh 1)/(12 E). It holds for the given tractions: those of the scene are linear on
-/// each edge.
+/// docs/theory.md §9.5, three_halves.toml: (−1, 1) × (0, 1) on a rigid wall, plane strain, with the contact pressure
+/// √|x| where x < 0. The energy density is (1 + ν)/(2E) ((1 − 2ν)(r − x) + y²/(2r)); on each half of the domain
+/// ∫ y²/r = ½ ∫ r: L(u) = −(1 + ν)(5 − 8ν)(√2 + arsinh 1)/(12 E). It holds for the given tractions: those of
+/// the scene are linear on each edge.
 inline double three_halves_energy(double young, double poisson) {
   return -(1 + poisson) * (5 - 8 * poisson) * (std::numbers::sqrt2 + std::asinh(1.0)) / (12 * young);
 }

@@ -17,7 +17,7 @@ std::string cells(int block, int nx, int ny) {
   return "mesh.block." + std::to_string(block) + ".cells=[" + std::to_string(nx) + "," + std::to_string(ny) + "]";
 }
 
-TEST(Exact, patch_on_every_mesh) {  // design §6.1
+TEST(Exact, patch_on_every_mesh) {  // docs/theory.md §9.1
   for (const double poisson : {0.0, 0.3, 0.49})
     for (const int n : {1, 2, 5})
       for (const int degree : {1, 2}) {
@@ -36,7 +36,7 @@ double exact_energy(const LinearPressure& p) {
                                 {p.t_upper, plane_modulus(p.young_upper, p.poisson)});
 }
 
-TEST(Exact, linear_pressure_on_every_mesh) {  // design §6.3
+TEST(Exact, linear_pressure_on_every_mesh) {  // docs/theory.md §9.3
   for (const double share : {-1.0, 0.0, 0.5, 1.0})
     for (const auto& [nx, ny] : {std::pair{1, 1}, {4, 2}, {7, 5}})
       for (const int degree : {1, 2}) {
@@ -86,7 +86,7 @@ TEST(Exact, units_do_not_matter) {
     }
 }
 
-TEST(Exact, wavy_wall_at_every_level) {  // design §6.4
+TEST(Exact, wavy_wall_at_every_level) {  // docs/theory.md §9.4
   const double exact = westergaard_energy({1, 0.3, 0.01, 2, 0.25});
   EXPECT_NEAR(exact, -4.32369522656338e-5, 1e-18);
   for (const int n : {2, 4, 8, 16})
@@ -98,7 +98,7 @@ TEST(Exact, wavy_wall_at_every_level) {  // design §6.4
     }
 }
 
-TEST(Exact, free_contact_boundary_at_every_level) {  // design §6.5
+TEST(Exact, free_contact_boundary_at_every_level) {  // docs/theory.md §9.5
   const double exact = three_halves_energy(1, 0.3);
   EXPECT_NEAR(exact, -0.6465903804122597, 1e-15);
   for (const int n : {2, 4, 8, 16})
@@ -117,7 +117,7 @@ TEST(Exact, weight_on_an_inclined_wall_is_exact_on_its_mesh) {
   EXPECT_LT(bracket.relative_width, 1e-12);
 }
 
-TEST(TwoBlocks, agree_with_an_independent_computation) {  // design §6.2
+TEST(TwoBlocks, agree_with_an_independent_computation) {  // docs/theory.md §9.2
   const auto p2 = bounds::run(two_blocks(8)).levels[0].bracket;
   EXPECT_NEAR(p2.lower, -0.0015696752755447576, 1e-9 * 0.00157);
   EXPECT_NEAR(p2.upper, -0.001560550938463558, 1e-9 * 0.00157);

@@ -1,5 +1,6 @@
-# cmake -DBUILD=… -DSOURCE=… -DCONFIG=… -P build.cmake: installs the package into the build folder, builds and runs the
-# consumer against it, and makes sure that it saw no header of deal.II.
+# cmake -DBUILD=… -DSOURCE=… -DCONFIG=… -DCXX=… -P build.cmake: installs the package into the build folder, builds and
+# runs the consumer against it, once by find_package() and, where there is a pkg-config, once by that, and makes sure
+# that it saw no header of deal.II.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -15,4 +16,17 @@ run(${BUILD}/consumer/build/consumer)
 execute_process(COMMAND ninja -C ${BUILD}/consumer/build -t deps OUTPUT_VARIABLE headers COMMAND_ERROR_IS_FATAL ANY)
 if(NOT headers MATCHES "include/bracket/bounds/bounds.h" OR headers MATCHES "deal.II|cholmod")
   message(FATAL_ERROR "the consumer's includes are not what they should be:\n${headers}")
+endif()
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE file ${prefix}/bracket.pc)
+  cmake_path(GET file PARENT_PATH folder)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs bracket OUTPUT_VARIABLE flags COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${PKG_CONFIG} --variable=libdir bracket OUTPUT_VARIABLE libraries
+                  OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${CXX} -std=c++20 ${SOURCE}/main.cpp -o ${BUILD}/consumer/by_pkg_config ${flags} -Wl,-rpath,${libraries})
+  run(${BUILD}/consumer/by_pkg_config)
 endif()

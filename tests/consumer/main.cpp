@@ -1,5 +1,6 @@
 // A block pressed on a rigid wall by a punch-like load: the scene in code, the adaptive driver, the interval.
 #include <bounds/bounds.h>
+#include <bracket/version.h>
 
 #include <cstdio>
 
@@ -23,8 +24,8 @@ int main() {
       std::printf("%6d cells: [%.12g, %.12g]\n", so_far.levels.back().cells, so_far.lower, so_far.upper);
     };
     const auto outcome = bounds::run(scene, observer);
-    std::printf("energy in [%.17g, %.17g], error at most %.2g of the solution\n", outcome.lower, outcome.upper,
-                outcome.relative_error_bound);
+    std::printf("Bracket %s: energy in [%.17g, %.17g], error at most %.2g of the solution\n", BRACKET_VERSION_STRING,
+                outcome.lower, outcome.upper, outcome.relative_error_bound);
     return static_cast<int>(outcome.status);
   } catch (const scene::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -64,6 +64,7 @@ struct Making {
   Grid grid;
   double size, load;
   RandomScene made;
+  Vector<2> carried = Vector<2>::Zero();  ///< by which everything that is prescribed is moved, walls too
 
   void say(const std::string& line) { made.text += line + "\n"; }
 };
@@ -166,7 +167,7 @@ void add_outer_side(Making& making, int i, int j, const Side& side, const std::a
     add_condition(making, part, ConditionKind::sliding, {normal});
   } else if (r < support) {
     Polynomial gap;
-    gap.c = making.size * random.pick<double>({0, 0, 1e-3, -1e-4});
+    gap.c = making.size * random.pick<double>({0, 0, 1e-3, -1e-4}) + n.dot(making.carried);
     add_contact(making, part, "rigid", gap);
   } else if (r < support + 0.3) {
     add_load(making, part, from, n);
@@ -189,6 +190,7 @@ void add_boundary(Making& making) {
         u.a[0] = scale * making.random.uniform(0, 1);
         u.a[1] = scale * making.random.uniform(0, 1);
       }
+      for (int c = 0; c < 2; ++c) field[c].c += making.carried[c];
       for (const Side& side : sides) {
         const int di = i + side.step[0], dj = j + side.step[1];
         if (!grid.has(di, dj)) {
@@ -253,11 +255,14 @@ RandomScene random_scene(std::uint64_t seed) {
   const std::string plane = random.chance(0.5) ? "strain" : "stress";
   Grid grid = random_grid(random, size);
   Making making{random, std::move(grid), size, load, {}};
+  const double carried = making.random.pick<double>({0, 0, 0, 1, 1e3, 1048576});
+  making.carried = carried * size * Vector<2>(making.random.uniform(-1, 1), making.random.uniform(-1, 1));
   scene::Scene<2>& scene = making.made.scene;
   scene.plane = plane;
   const Map& map = making.grid.map;
   making.say(fmt::format("seed {}, plane {}, map: shear {}, bend {} {}, turn {} {}, shift {}", seed, plane, map.shear,
                          map.bend_x, map.bend_y, map.cosine, map.sine, map.shift[0]));
+  making.say(fmt::format("carried by ({}, {})", making.carried[0], making.carried[1]));
   add_bodies(making, young);
   add_boundary(making);
   scene::Mesh<2> mesh = scene::build_mesh(scene);

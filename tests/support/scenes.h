@@ -34,7 +34,7 @@ inline scene::Scene<2> two_bodies(double x0, double x1, double t_lower, double t
   return s;
 }
 
-/// Design §6.1: any ν with free sides and sliding base and top, the top lowered by `lowering`.
+/// docs/theory.md §9.1: any ν with free sides and sliding base and top, the top lowered by `lowering`.
 inline scene::Scene<2> patch(double young, double poisson, double lowering, int n) {
   scene::Scene<2> s = two_bodies(0, 1, 0.5, 0.5, n, n);
   s.bodies = {{"lower", scene::isotropic<2>(young, poisson, false)},
@@ -43,7 +43,7 @@ inline scene::Scene<2> patch(double young, double poisson, double lowering, int 
   return s;
 }
 
-/// Design §6.3. Both bodies float sideways.
+/// docs/theory.md §9.3. Both bodies float sideways.
 struct LinearPressure {
   double p0 = 1, c = 0.5;
   double t_lower = 1, t_upper = 0.5;
@@ -59,7 +59,7 @@ inline scene::Scene<2> linear_pressure(const LinearPressure& p, int nx, int ny) 
   return s;
 }
 
-/// Design §3 and §6.2: partial lift-off, or closed contact with +0.02 for +0.09.
+/// docs/theory.md §9.2: partial lift-off, or closed contact with +0.02 for +0.09.
 inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
   scene::Scene<2> s;
   s.blocks = {block("lower", 0, 1, 0, 1, n, n), block("upper", 0, 1, 1, 2, n, n)};

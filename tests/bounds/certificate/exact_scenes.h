@@ -20,13 +20,13 @@ inline bounds::Rational softness(double thickness, double young, double poisson)
   return bounds::Rational(thickness) * (1 - nu * nu) / bounds::Rational(young);
 }
 
-/// Design §6.1: ½ E' Δ².   \pre n is a power of two
+/// docs/theory.md §9.1: ½ E' Δ².   \pre n is a power of two
 inline ExactProblem exact_patch(double young, double poisson, double lowering, int n) {
   const bounds::Rational by(lowering);
   return {bounds::balanced(problem(patch(young, poisson, lowering, n)), 2), by * by / (2 * softness(1, young, poisson))};
 }
 
-/// Design §6.3: −p₀² (1 + c²/3) (t₁/E₁' + t₂/E₂').
+/// docs/theory.md §9.3: −p₀² (1 + c²/3) (t₁/E₁' + t₂/E₂').
 /// \pre nx is a power of two, p₀ and c are so short that p₀ (1 − c x) is exact at the vertices
 inline ExactProblem exact_linear_pressure(const LinearPressure& p, int nx, int ny) {
   ExactProblem result{problem(linear_pressure(p, nx, ny)), {}};
