@@ -10,6 +10,8 @@ function(bracket_library name)
   target_include_directories(bracket_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bracket>)
   target_compile_features(bracket_${name} PUBLIC cxx_std_20)
+  target_precompile_headers(bracket_${name} REUSE_FROM bracket_precompiled)
+  target_compile_definitions(bracket_${name} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   set_target_properties(bracket_${name} PROPERTIES
     EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(TARGETS bracket_${name} EXPORT bracket LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
