@@ -42,7 +42,6 @@ template <int dim> dual::Result<dim> solve_stresses(const Step<dim>& step, const
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
 template <int dim> Solved<dim> solve_both(const Step<dim>& step, const scene::Solve& solve) {
   const Clock clock;
-  contact::set_blas_threads(1);
   Solved<dim> solved;
   auto stresses = std::async(std::launch::async, [&] {
     solved.dual = solve_stresses(step, solve);
@@ -231,6 +230,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
   const auto tell = [&](const std::string& stage) {
     if (observer.stage) observer.stage(stage);
   };
+  const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
   const scene::Refine& refine = scene.refine;
   const Clock run_clock = clock;
   Outcome<dim> outcome;

@@ -62,7 +62,12 @@ std::optional<Held> held(const MatrixXd& left, const VectorXd& right, const Vect
   constexpr double resists = 1e-12;
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(left);
   if (!(std::abs(qr.matrixQR()(k - 1, k - 1)) > resists)) return {};
-  const MatrixXd q = qr.householderQ() * MatrixXd::Identity(n, k);
+  // qr.householderQ() * I, reflection by reflection: there are few, and Eigen's blocks of them take long to compile.
+  MatrixXd q = MatrixXd::Identity(n, k);
+  VectorXd workspace(k);
+  for (Index j = k - 1; j >= 0; --j)
+    q.bottomRows(n - j).applyHouseholderOnTheLeft(qr.matrixQR().col(j).tail(n - j - 1), qr.hCoeffs()[j],
+                                                  workspace.data());
   const auto upper = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
   const auto& order = qr.colsPermutation();
   const VectorXd by_load = upper.transpose().solve(VectorXd(order.transpose() * load));

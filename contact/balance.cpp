@@ -50,7 +50,7 @@ Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double explai
   std::vector<char> aside(rows.rows(), 0);
   while (residual.norm() > explained / 64) {
     Index entering = -1;
-    double steepest = std::max(flat * load.norm(), explained / 64);
+    double steepest = flat * load.norm();
     for (Index i = 0; i < rows.rows(); ++i) {
       if (size[i] == 0 || aside[i] || pressure[i] > 0) continue;
       const double slope = rows.row(i).dot(residual) / size[i];

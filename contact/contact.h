@@ -60,9 +60,20 @@ struct Solution {
   Seconds seconds;
 };
 
-/// Threads that BLAS uses in the whole process. One where solve() runs in several threads at once: they would wait for
-/// each other.
-void set_blas_threads(int count);
+/// While it lives, BLAS uses so many threads in the whole process; then as many as before. One where solve() runs in
+/// several threads at once: they would wait for each other. Without effect where BLAS is not OpenBLAS.
+class BlasThreads {
+ public:
+  explicit BlasThreads(int count);
+  ~BlasThreads();
+  BlasThreads(const BlasThreads&) = delete;
+  BlasThreads& operator=(const BlasThreads&) = delete;
+
+  static int now();  ///< 0: not OpenBLAS
+
+ private:
+  int before_;
+};
 
 /// Solves  min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g  by the problem in the multipliers,
 ///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.

@@ -5,14 +5,19 @@
 #include "contact/order.h"
 
 #include <cholmod.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-extern "C" void openblas_set_num_threads(int count);
-
 namespace bracket::contact {
 namespace {
+
+/// Looked up, so that any other BLAS does as well.
+void set_blas_threads(int count) {
+  using Set = void(int);
+  if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Set*>(set)(count);
+}
 
 /// K as CHOLMOD sees it; it only reads.
 cholmod_sparse view(const Eigen::SparseMatrix<double>& matrix) {
@@ -153,6 +158,14 @@ Trailing Factor::trailing() const {
   return result;
 }
 
-void set_blas_threads(int count) { openblas_set_num_threads(count); }
+BlasThreads::BlasThreads(int count) : before_(now()) { set_blas_threads(count); }
+
+BlasThreads::~BlasThreads() { set_blas_threads(before_); }
+
+int BlasThreads::now() {
+  using Get = int();
+  void* const get = dlsym(RTLD_DEFAULT, "openblas_get_num_threads");
+  return get ? reinterpret_cast<Get*>(get)() : 0;
+}
 
 }  // namespace bracket::contact

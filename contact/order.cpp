@@ -2,6 +2,7 @@
 #include "contact/order.h"
 
 #include <cholmod.h>
+#include <signal.h>
 
 #include <mutex>
 #include <numeric>
@@ -42,6 +43,19 @@ NodeGraph node_graph(const Eigen::SparseMatrix<double>& stiffness, const std::ve
   return graph;
 }
 
+/// Keeps a signal's handler, with its flags and mask, from METIS, which sets its own by signal().
+class KeptHandler {
+ public:
+  explicit KeptHandler(int signal) : signal_(signal) { sigaction(signal, nullptr, &action_); }
+  ~KeptHandler() { sigaction(signal_, &action_, nullptr); }
+  KeptHandler(const KeptHandler&) = delete;
+  KeptHandler& operator=(const KeptHandler&) = delete;
+
+ private:
+  int signal_;
+  struct sigaction action_;
+};
+
 std::vector<int> dissect(NodeGraph& graph) {
   const std::size_t n = graph.node.size();
   std::vector<int> order(n);
@@ -65,6 +79,7 @@ std::vector<int> dissect(NodeGraph& graph) {
   // repeat from run to run.
   static std::mutex metis;
   const std::lock_guard<std::mutex> lock(metis);
+  const KeptHandler abort(SIGABRT), terminate(SIGTERM);
   const int done = small ? cholmod_amd(&pattern, nullptr, 0, order.data(), &common)
                          : cholmod_metis(&pattern, nullptr, 0, 0, order.data(), &common);
   cholmod_finish(&common);

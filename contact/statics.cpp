@@ -27,7 +27,12 @@ VectorXd row_sizes(const std::vector<Body>& bodies) {
 MatrixXd free_motions(const MatrixXd& rows) {
   const Index k = rows.cols();
   if (rows.rows() == 0 || k == 0) return MatrixXd::Identity(k, k);
-  const Eigen::JacobiSVD<MatrixXd> svd(rows, Eigen::ComputeFullV);
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows);
+  MatrixXd square = MatrixXd::Zero(k, k);  // with the singular values and motions of the rows
+  const Index n = std::min(k, rows.rows());
+  square.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  square *= qr.colsPermutation().transpose();
+  const Eigen::JacobiSVD<MatrixXd, Eigen::NoQRPreconditioner> svd(square, Eigen::ComputeFullV);
   const VectorXd& singular = svd.singularValues();
   // Rows and motions are of size one each: what is left at rounding level resists nothing.
   const Index rank = (singular.array() > rounding * std::max(singular[0], 1.0)).count();

@@ -31,8 +31,8 @@ Eigen::Matrix<double, 3, 7> linear_stress(const Plane& x) {
 }
 
 /// Corner values of all 21 parameters of the three parts: row 9 k + 3 corner + component of part k.
-Eigen::Matrix<double, 27, 21> corner_values(const Triangle& t) {
-  Eigen::Matrix<double, 27, 21> values = Eigen::Matrix<double, 27, 21>::Zero();
+Eigen::MatrixXd corner_values(const Triangle& t) {
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(27, 21);
   const Plane centroid = (t[0] + t[1] + t[2]) / 3;
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) values.block<3, 7>(9 * k + 3 * c, 7 * k) = linear_stress(part(t, k)[c] - centroid);
@@ -40,8 +40,8 @@ Eigen::Matrix<double, 27, 21> corner_values(const Triangle& t) {
 }
 
 /// The jump of the traction at both ends of the three inner edges, by the parameters: 12 × 21, of full rank.
-Eigen::Matrix<double, 12, 21> continuity(const Triangle& t, const Eigen::Matrix<double, 27, 21>& values) {
-  Eigen::Matrix<double, 12, 21> jump;
+Eigen::MatrixXd continuity(const Triangle& t, const Eigen::MatrixXd& values) {
+  Eigen::MatrixXd jump(12, 21);
   const Plane centroid = (t[0] + t[1] + t[2]) / 3;
   for (int v = 0; v < 3; ++v) {
     // Vertex v is corner 1 of part v+1 and corner 0 of part v+2.
@@ -49,7 +49,7 @@ Eigen::Matrix<double, 12, 21> continuity(const Triangle& t, const Eigen::Matrix<
     const std::array<int, 2> parts = {(v + 1) % 3, (v + 2) % 3};
     for (int end = 0; end < 2; ++end) {
       const int first = 9 * parts[0] + 3 * (end == 0 ? 1 : 2), second = 9 * parts[1] + 3 * (end == 0 ? 0 : 2);
-      const Eigen::Matrix<double, 3, 21> difference = values.middleRows<3>(first) - values.middleRows<3>(second);
+      const Eigen::MatrixXd difference = values.middleRows<3>(first) - values.middleRows<3>(second);
       jump.row(4 * v + 2 * end) = n[0] * difference.row(0) + n[1] * difference.row(2);
       jump.row(4 * v + 2 * end + 1) = n[0] * difference.row(2) + n[1] * difference.row(1);
     }
@@ -99,21 +99,22 @@ LoadMatrix balanced_loads(const Triangle& t) {
 /// they are held exactly: rounded modes would act as a body force, the same in all cells of one shape.
 ReferenceBlock make_reference_block() {
   const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
-  const auto values = corner_values(t);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(continuity(t, values), Eigen::ComputeFullV);
-  const Eigen::Matrix<double, 27, n_modes> basis = values * svd.matrixV().rightCols(n_modes);
+  const Eigen::MatrixXd values = corner_values(t);
+  const Eigen::MatrixXd q = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(continuity(t, values).transpose()).householderQ();
+  const Eigen::MatrixXd basis = values.lazyProduct(q.rightCols(n_modes));  // no jumps
   const auto corners = [](const auto& column) {
     Corners stress;
     for (int c = 0; c < 9; ++c) stress[c] = column.template segment<3>(3 * c);
     return stress;
   };
-  LoadMatrix basis_loads;
+  Eigen::MatrixXd basis_loads(n_loads, n_modes);
   for (int m = 0; m < n_modes; ++m) basis_loads.col(m) = edge_loads(t, corners(basis.col(m)));
 
   ReferenceBlock reference;
   reference.loads = balanced_loads(t);
-  const Eigen::Matrix<double, 27, n_modes> modes =
-      (basis * basis_loads.colPivHouseholderQr().solve(reference.loads)).array().round();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> amplitudes(basis_loads);
+  const Eigen::MatrixXd balanced = amplitudes.solve(Eigen::MatrixXd(reference.loads));
+  const Eigen::MatrixXd modes = basis.lazyProduct(balanced).array().round();
   for (int m = 0; m < n_modes; ++m) reference.modes[m] = corners(modes.col(m));
   const auto component = [&](int mode, int k, int a) {
     const Corners& m = reference.modes[mode];

@@ -16,10 +16,10 @@ Vector<2> to(const Triangle& t, int e) { return t[(e + 2) % 3]; }
 
 /// The block and the amplitudes of its stress with these ∫ φ_i T over the sides, which are B times the reference's.
 Corners stress_by_moments(const Triangle& t, const LoadVector& moments) {
-  static const auto loads = reference_block().loads.colPivHouseholderQr();
+  static const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> loads(reference_block().loads);
   Eigen::Matrix2d b;
   b << t[1] - t[0], t[2] - t[0];
-  LoadVector pulled_back;
+  Eigen::VectorXd pulled_back(n_loads);
   for (int i = 0; i < n_loads; i += 2) pulled_back.segment<2>(i) = b.inverse() * moments.segment<2>(i);
   const ModeVector amplitudes = loads.solve(pulled_back);
   return stress_at_corners(block_element(t, scene::Elasticity<2>::Identity()), amplitudes);

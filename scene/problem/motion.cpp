@@ -36,19 +36,16 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
                                          RigidMotion<dim>{Vector<dim>::Zero(), 1 / radius, centre}};
   if (held.empty()) return {all.begin(), all.end()};
 
-  Eigen::MatrixXd supports(held.size(), 3);
+  Eigen::MatrixXd supports = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, held.size()), 3);
   for (std::size_t i = 0; i < held.size(); ++i)
     for (int m = 0; m < 3; ++m) supports(i, m) = held[i].first.dot(displacement(all[m], held[i].second));
-  const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(supports)
-                                .matrixQR()
-                                .topRows(std::min<Eigen::Index>(3, supports.rows()))
-                                .template triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(supports);
+  const Eigen::Matrix3d upper = qr.matrixQR().topRows<3>().template triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(upper * qr.colsPermutation().transpose(), Eigen::ComputeFullV);
   std::vector<RigidMotion<dim>> free;
   constexpr double negligible = 1e-9;  // rounding: normals that are not equal differ by far more
   for (int m = 0; m < 3; ++m) {
-    const double singular = m < svd.singularValues().size() ? svd.singularValues()[m] : 0;
-    if (singular > negligible * svd.singularValues()[0]) continue;
+    if (svd.singularValues()[m] > negligible * svd.singularValues()[0]) continue;
     const Eigen::Vector3d column = svd.matrixV().col(m);
     const Eigen::Vector3d y = (column.array().abs() < negligible).select(0, column);  // a pure translation stays pure
     free.push_back({Vector<dim>(y[0], y[1]), y[2] / radius, centre});

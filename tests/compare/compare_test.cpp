@@ -5,7 +5,10 @@
 #include <numeric>
 
 #include "bounds/bounds.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/compare/scene_files.h"
+#include "tests/support/scenes.h"
 
 /// The contact as displacements and stresses see it, on every scene.
 namespace bracket::tests {
@@ -190,6 +193,35 @@ TEST_P(Compared, formulations_approach_each_other) {
   const auto outcome = run(2);
   const auto &coarse = outcome.levels[0].plain, &fine = outcome.levels[1].plain;
   EXPECT_LE(fine.upper - fine.lower, (coarse.upper - coarse.lower) / 2 + 1e-12 * std::abs(fine.upper));
+}
+
+// Which rows are expected to be closed decides how soon the solution is found, not which.
+TEST(Guess, does_not_change_the_solution) {
+  const auto problem = tests::problem(tests::two_blocks(6));
+  const auto stresses = dual::solve(problem);
+  ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
+  const auto none = std::vector<char>(problem.contact.size(), 0);
+  auto one = none, wrong = stresses.closed;
+  one.back() = 1;
+  for (char& closed : wrong) closed = !closed;
+  const double s = bounds::complementary_energy(problem, stresses.stress);
+  for (const auto& guess : {none, one, wrong, stresses.closed}) {
+    const auto other = dual::solve(problem, guess);
+    ASSERT_EQ(other.outcome, contact::Outcome::solved) << other.reason;
+    EXPECT_EQ(other.closed, stresses.closed);
+    EXPECT_NEAR(bounds::complementary_energy(problem, other.stress), s, 1e-12 * std::abs(s));
+  }
+  for (const int degree : {1, 2}) {
+    const auto displacements = primal::solve(problem, degree);
+    ASSERT_EQ(displacements.outcome, contact::Outcome::solved) << displacements.reason;
+    const double l = bounds::potential_energy(problem, displacements.displacement).total;
+    for (const auto& guess : {none, one, wrong, displacements.closed}) {
+      const auto other = primal::solve(problem, degree, guess);
+      ASSERT_EQ(other.outcome, contact::Outcome::solved) << other.reason;
+      EXPECT_EQ(other.closed, displacements.closed);
+      EXPECT_NEAR(bounds::potential_energy(problem, other.displacement).total, l, 1e-12 * std::abs(l));
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Compared, testing::ValuesIn(scene_files()),

@@ -36,6 +36,30 @@ TEST(Floating, an_unloaded_body_stays_near_what_it_touches) {
     }
 }
 
+// Four blocks around a corner, each pressed against two others: a closed chain. Without a Poisson effect each stress is
+// uniform, −p both ways: L(u) = −p²/E · area.
+TEST(Floating, a_ring_of_blocks_is_pressed_together) {
+  constexpr double p = 1e-3, exact = -4 * p * p;
+  for (const int degree : {1, 2}) {
+    scene::Scene<2> s;
+    s.solve.degree = degree;
+    s.blocks = {tests::block("b00", 0, 1, 0, 1, 2, 3), tests::block("b10", 1, 2, 0, 1, 4, 3),
+                tests::block("b11", 1, 2, 1, 2, 4, 5), tests::block("b01", 0, 1, 1, 2, 2, 5)};
+    for (const auto& block : s.blocks) s.bodies[block.body] = scene::isotropic<2>(1, 0, true);
+    for (const char* held : {"b00.left", "b01.left", "b00.bottom", "b10.bottom"}) s.boundary[held] = tests::sliding(0);
+    for (const char* pressed : {"b10.right", "b11.right", "b01.top", "b11.top"})
+      s.boundary[pressed] = tests::pressure(tests::constant(p));
+    s.contact = {{"b10.left", "b00.right", tests::constant(0), ""},
+                 {"b11.bottom", "b10.top", tests::constant(0), ""},
+                 {"b01.right", "b11.left", tests::constant(0), ""},
+                 {"b00.top", "b01.bottom", tests::constant(0), ""}};
+    const auto outcome = run(s);
+    EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason << ", degree " << degree;
+    EXPECT_NEAR(outcome.lower, exact, 1e-12 * -exact) << "degree " << degree;
+    EXPECT_NEAR(outcome.upper, exact, 1e-12 * -exact) << "degree " << degree;
+  }
+}
+
 // Four blocks around a corner, two of them held by contact alone, one of these much softer than the others.
 TEST(Floating, soft_bodies_may_hold_stiff_ones) {
   for (const double ratio : {1e-11, 1e-8, 1e-4, 1.0, 1e4, 1e8, 1e11}) {

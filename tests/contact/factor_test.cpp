@@ -4,6 +4,7 @@
 #include "tests/contact/truss.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <set>
 #include <thread>
@@ -41,16 +42,38 @@ TEST(Order, IsAPermutationWithTheLastOnesLast) {
   }
 }
 
-// METIS draws from the process's random numbers; two bodies may be ordered at once.
-TEST(Order, IsTheSameInTwoThreads) {
-  constexpr int side = 100;
+/// A square grid with nodes of two unknowns; beyond 500 nodes METIS orders it.
+Sparse grid_matrix(int side) {
   std::vector<int> cells;
   for (int i = 0; i + 1 < side; ++i)
     for (int j = 0; j + 1 < side; ++j)
       for (int node : {i * side + j, i * side + j + 1, (i + 1) * side + j, (i + 1) * side + j + 1})
         cells.push_back(node);
+  return Assembly(pairs(2 * side * side), cells, 4).take();
+}
+
+void handle(int, siginfo_t*, void*) {}
+
+TEST(Order, LeavesSignalHandlersAsTheyWere) {
+  struct sigaction own {}, before, after;
+  own.sa_sigaction = handle;
+  own.sa_flags = SA_SIGINFO | SA_RESTART;
+  sigaddset(&own.sa_mask, SIGUSR1);
+  for (const int signal : {SIGABRT, SIGTERM}) {
+    sigaction(signal, &own, &before);
+    order(grid_matrix(30), pairs(2 * 30 * 30), {});
+    sigaction(signal, &before, &after);
+    EXPECT_EQ(after.sa_sigaction, handle);
+    EXPECT_EQ(after.sa_flags & (SA_SIGINFO | SA_RESTART), own.sa_flags);
+    EXPECT_EQ(sigismember(&after.sa_mask, SIGUSR1), 1);
+  }
+}
+
+// METIS draws from the process's random numbers; two bodies may be ordered at once.
+TEST(Order, IsTheSameInTwoThreads) {
+  constexpr int side = 100;
   const std::vector<int> nodes = pairs(2 * side * side);
-  const Sparse matrix = Assembly(nodes, cells, 4).take();
+  const Sparse matrix = grid_matrix(side);
   const std::vector<int> alone = order(matrix, nodes, {});
   for (int trial = 0; trial < 5; ++trial) {
     std::vector<int> one, two;

@@ -55,6 +55,21 @@ TEST(Solve, KktOfTwoBodies) {
   }
 }
 
+TEST(BlasThreads, AreAsBeforeInTheEnd) {
+  const int before = BlasThreads::now();
+  if (before == 0) GTEST_SKIP() << "BLAS is not OpenBLAS";
+  {
+    const BlasThreads two(2);
+    const int in_two = BlasThreads::now();
+    {
+      const BlasThreads one(1);
+      EXPECT_EQ(BlasThreads::now(), 1);
+    }
+    EXPECT_EQ(BlasThreads::now(), in_two);
+  }
+  EXPECT_EQ(BlasThreads::now(), before);
+}
+
 TEST(Solve, TheGuessDoesNotChangeTheSolution) {
   std::mt19937 random(21);
   for (int trial = 0; trial < 20; ++trial) {

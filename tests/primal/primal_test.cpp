@@ -43,6 +43,30 @@ TEST(Displacements, patch_is_exact_for_both_degrees) {
   }
 }
 
+TEST(Displacements, vertex_with_two_sliding_normals_has_both_displacements) {
+  scene::Scene<2> scene;
+  scene.blocks = {tests::block("b", 0, 1, 0, 1, 3, 4)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.bodies["b"].force = {0.1, -0.2};
+  scene.boundary = {{"b.bottom", tests::sliding(0.01)}, {"b.left", tests::sliding(-0.02)}};
+  auto mesh = scene::build_mesh(scene);
+  for (Vector<2>& x : mesh.vertices) x[0] += 0.6 * x[1];
+  const auto problem = scene::fix_data(scene, mesh);
+  for (const int degree : {1, 2}) {
+    const auto result = solve(problem, degree);
+    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    int ends = 0;
+    for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+      const auto& facet = problem.facets[f];
+      if (facet.support != scene::Support::sliding) continue;
+      for (int end = 0; end < 2; ++end, ++ends)
+        EXPECT_NEAR(facet.normal.dot(result.displacement.vertex[problem.mesh.boundary[f].vertices[end]]),
+                    facet.normal_displacement[end], 1e-15);
+    }
+    EXPECT_EQ(ends, 2 * (3 + 4));
+  }
+}
+
 /// A rectangle on a V-shaped rigid wall: its lowest vertex has two contact normals.
 scene::Problem<2> wedge(double half_angle) {
   scene::Problem<2> problem;

@@ -91,22 +91,27 @@ TEST(Enclosure, holds_every_quotient_or_says_that_it_cannot) {
 
 TEST(Enclosure, holds_quotients_by_what_is_close_to_zero) {
   Random random(2);
+  int divided = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const Real middle = random.number(5);
     if (middle == 0) continue;
+    ++divided;
     const Enclosure y(middle, std::abs(middle) * (1 - std::pow(2.0L, -random.uniform(1, 62))));
     const Enclosure x = random.enclosure(5), quotient = x / y;
     ASSERT_TRUE(std::isfinite(quotient.radius));
     for (const Rational& a : random.within(x))
       for (const Rational& b : random.within(y)) ASSERT_TRUE(contains(quotient, a / b));
   }
+  EXPECT_GT(2 * divided, trials);
 }
 
 TEST(Enclosure, holds_every_square_root) {
   Random random(3);
+  int positive = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const Real middle = std::abs(random.number(300));
     if (middle == 0) continue;
+    ++positive;
     const Enclosure x(middle, random.one_in(3) ? 0 : middle * std::pow(10.0L, random.uniform(-25, 0)));
     const Enclosure y = root(x);
     const Rational low = least(y), high = most(y);
@@ -116,6 +121,7 @@ TEST(Enclosure, holds_every_square_root) {
       EXPECT_LE(low * low, least(x));
     }
   }
+  EXPECT_GT(2 * positive, trials);
 }
 
 TEST(Enclosure, loses_nothing_far_below_the_smallest_double) {
@@ -246,6 +252,7 @@ TEST(Enclosure, what_is_not_a_number_is_never_a_bound) {
 
 TEST(Solution, holds_the_solution_of_every_system_within) {
   Random random(9);
+  int solved = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const std::size_t n = 1 + trial % 6;
     const double width = trial % 3 == 0 ? 0 : std::pow(10.0, random.uniform(-20, -4));
@@ -266,10 +273,12 @@ TEST(Solution, holds_the_solution_of_every_system_within) {
       ASSERT_TRUE(x);
     }
     if (!x) continue;
+    ++solved;
     const auto exact = solution(exact_a, exact_b);
     ASSERT_TRUE(exact);
     for (std::size_t i = 0; i < n; ++i) EXPECT_TRUE(contains((*x)[i], (*exact)[i].value)) << trial;
   }
+  EXPECT_GT(solved, 100);
 }
 
 TEST(Solution, refuses_what_may_be_singular) {
