@@ -5,11 +5,18 @@
 #include "contact/order.h"
 
 #include <cholmod.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <mutex>
+#include <new>
 #include <stdexcept>
 
-extern "C" void openblas_set_num_threads(int count);
+extern "C" {
+void openblas_set_num_threads(int count);
+void* blas_memory_alloc(int);  // OpenBLAS's, also for its own libblas.so and liblapack.so
+void blas_memory_free(void*);
+}
 
 namespace bracket::contact {
 namespace {
@@ -87,14 +94,13 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
   std::vector<int> permutation = order(stiffness, nodes, last);
   cholmod_sparse matrix = view(stiffness);
   handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
-  if (!handle_->factor) throw std::runtime_error("no symbolic factorisation: out of memory");
+  if (!handle_->factor) throw std::bad_alloc();
 }
 
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   if (stiffness.rows() == 0) return true;
   cholmod_sparse matrix = view(stiffness);
-  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common))
-    throw std::runtime_error("no factorisation: out of memory");
+  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common)) throw std::bad_alloc();
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
@@ -119,7 +125,7 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &handle_->common);
-  if (!solution) throw std::runtime_error("no solution: out of memory");
+  if (!solution) throw std::bad_alloc();
   Eigen::VectorXd result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
   cholmod_free_dense(&solution, &handle_->common);
   return result;
@@ -154,5 +160,21 @@ Trailing Factor::trailing() const {
 }
 
 void set_blas_threads(int count) { openblas_set_num_threads(count); }
+
+void reserve_blas_memory(int callers) {
+  static std::mutex reserving;
+  static int reserved = 0;
+  const std::lock_guard<std::mutex> lock(reserving);
+  if (reserved >= callers) return;
+  constexpr std::size_t buffer = std::size_t{128} << 20;  // what OpenBLAS 0.3.21 takes for each caller
+  const std::size_t size = callers * buffer;
+  void* const room = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  munmap(room, size);
+  std::vector<void*> buffers(callers);
+  for (void*& taken : buffers) taken = blas_memory_alloc(0);
+  for (void* taken : buffers) blas_memory_free(taken);  // it keeps them for later calls
+  reserved = callers;
+}
 
 }  // namespace bracket::contact
