@@ -1,14 +1,18 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/say.h"
 #include "apps/commands/version.h"
 
 namespace {
@@ -19,7 +23,8 @@ using bracket::scene::Status;
 
 constexpr const char* statuses =
     "Exit status: 0 done, target reached (or none asked); 1 internal error; 2 usage or scene file; 3 mesh;\n"
-    "4 ill-posed problem; 5 budget spent before the target, the bounds hold; 6 the bounds could not be guaranteed.";
+    "4 ill-posed problem; 5 budget or memory spent before the target, the bounds hold; 6 the bounds could not be\n"
+    "guaranteed.";
 
 // CLI11's messages may span lines; a diagnostic is one.
 std::string one_line(std::string text) {
@@ -91,13 +96,21 @@ Ending perform(int argc, char** argv) {
 }
 
 int fail(Status status, const std::string& line) {
-  fmt::print(stderr, "bracket: {}\n", line);
+  bracket::apps::say("bracket: " + line + "\n");
   return static_cast<int>(status);
+}
+
+/// A standard stream that is closed must not become the first file that is opened.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // writing fails instead
   try {
     const Ending ending = perform(argc, argv);
     std::cout.flush();
@@ -106,7 +119,7 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return fail(error.status(), error.what());
   } catch (const std::bad_alloc&) {
-    return fail(Status::internal, "the memory did not suffice; try fewer cells");
+    return fail(Status::not_guaranteed, "the memory did not suffice; try fewer cells");
   } catch (const std::exception& error) {
     return fail(Status::internal, fmt::format("internal error: {}", error.what()));
   }

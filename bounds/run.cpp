@@ -4,6 +4,9 @@
 #include <cmath>
 #include <future>
 #include <limits>
+#include <new>
+#include <stdexcept>
+#include <system_error>
 
 #include "bounds/bounds.h"
 #include "bounds/particular.h"
@@ -34,20 +37,26 @@ template <int dim> struct Solved {
   Seconds seconds;
 };
 
-template <int dim> dual::Result<dim> solve_stresses(const Step<dim>& step, const scene::Solve& solve) {
-  if (solve.dual == "uzawa") return dual::uzawa(step.problem, particular_stress(step.problem));
+/// \param run_clock since the run began: Uzawa's iteration, alone in being slow, ends when the time is spent
+template <int dim>
+dual::Result<dim> solve_stresses(const Step<dim>& step, const scene::Scene<dim>& scene, const Clock& run_clock) {
+  if (scene.solve.dual == "uzawa")
+    return dual::uzawa(step.problem, particular_stress(step.problem),
+                       [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
   return dual::solve(step.problem, step.dual_closed);
 }
 
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
-template <int dim> Solved<dim> solve_both(const Step<dim>& step, const scene::Solve& solve) {
+template <int dim>
+Solved<dim> solve_both(const Step<dim>& step, const scene::Scene<dim>& scene, const Clock& run_clock) {
   const Clock clock;
+  contact::reserve_blas_memory(2);
   Solved<dim> solved;
   auto stresses = std::async(std::launch::async, [&] {
-    solved.dual = solve_stresses(step, solve);
+    solved.dual = solve_stresses(step, scene, run_clock);
     solved.seconds.dual = clock.seconds();
   });
-  solved.primal = primal::solve(step.problem, solve.degree, step.primal_closed);
+  solved.primal = primal::solve(step.problem, scene.solve.degree, step.primal_closed);
   solved.seconds.primal = clock.seconds();
   stresses.get();
   return solved;
@@ -151,6 +160,7 @@ template <int dim> std::string risen(const Outcome<dim>& earlier, const Level& l
 template <int dim>
 void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<dim>& solved, Indicator shares) {
   const Bracket& bracket = level.bracket;
+  outcome.levels.push_back(level);  // first: what follows cannot fail
   outcome.lower = std::max(outcome.lower, bracket.lower);
   outcome.upper = std::min(outcome.upper, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
@@ -160,7 +170,6 @@ void append(Outcome<dim>& outcome, const Level& level, Step<dim>& step, Solved<d
   outcome.displacement = std::move(solved.primal.displacement);
   outcome.stress = std::move(solved.dual.stress);
   outcome.indicator = std::move(shares);
-  outcome.levels.push_back(level);
 }
 
 /// Takes back what was guaranteed: the levels stay, to be reported.
@@ -225,22 +234,24 @@ Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std:
 }
 
 /// A run from its first mesh on. \param clock since the run began
+/// \param outcome that of the levels so far, as each is done   \param size of what the memory has to hold now
 template <int dim>
-Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock clock, const Observer<dim>& observer) {
+Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock clock, const Observer<dim>& observer,
+                      Outcome<dim>& outcome, std::string& size) {
   const auto tell = [&](const std::string& stage) {
     if (observer.stage) observer.stage(stage);
   };
   const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
   const scene::Refine& refine = scene.refine;
   const Clock run_clock = clock;
-  Outcome<dim> outcome;
+  size = fmt::format("{} cells", step.problem.mesh.cells.size());
   step.problem = balanced(std::move(step.problem), scene.solve.degree);
   outcome.skipped = skipped_stages(scene, step.problem);
   step.seconds = clock.seconds();
 
   for (int meshes = 1;; ++meshes) {
     tell(fmt::format("displacements and stresses on {} cells", step.problem.mesh.cells.size()));
-    Solved<dim> solved = solve_both(step, scene.solve);
+    Solved<dim> solved = solve_both(step, scene, run_clock);
     std::string why = unsolved(solved);
     const bool bracketed = why.empty();
     if (bracketed) {
@@ -263,10 +274,10 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
         return ended(std::move(outcome), refine, why, true);
       }
       if (why = risen(outcome, level); !why.empty()) return ended(std::move(outcome), refine, why, true);
-      outcome.guarantee = "rounding-safe";
       append(outcome, level, step, solved, std::move(shares));
+      outcome.guarantee = "rounding-safe";
       if (observer.level) observer.level(outcome);
-      if (unstrained || reached(outcome, refine.target)) return outcome;
+      if (unstrained || reached(outcome, refine.target)) return std::move(outcome);
     } else if (!finer_mesh_may_help(solved) || refine.strategy == "none") {
       return ended(std::move(outcome), refine, why, true);
     }
@@ -275,6 +286,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
     if (!budget.empty()) return ended(std::move(outcome), refine, bracketed ? budget : why + "; " + budget, false);
 
     tell("refinement");
+    size = "more than " + size;
     clock = Clock();
     const scene::Problem<dim>& problem = bracketed ? outcome.problem : step.problem;
     const bool adaptive = bracketed && refine.strategy == "adaptive";
@@ -286,22 +298,42 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
       return ended(std::move(outcome), refine, error.what(), true);
     }
     step.seconds = clock.seconds();
+    size = fmt::format("{} cells", step.problem.mesh.cells.size());
     if (static_cast<int>(step.problem.mesh.cells.size()) > refine.max_cells)
       return ended(std::move(outcome), refine, fmt::format("max_cells = {}", refine.max_cells), false);
   }
 }
 
+/// A run that ends where the machine does not hold more; the levels so far stand.
+/// \param make its first mesh
+template <int dim, class Make>
+Outcome<dim> run_within_memory(const scene::Scene<dim>& scene, const Make& make, const Observer<dim>& observer) {
+  const Clock clock;
+  Outcome<dim> outcome;
+  std::string size = "the mesh", missing = "memory";
+  try {
+    return run_from(scene, make(), clock, observer, outcome, size);
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) throw;
+    missing = "memory or number of threads";
+  }
+  return ended(std::move(outcome), scene.refine, fmt::format("the {} did not suffice for {}", missing, size), true);
+}
+
 }  // namespace
 
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
-  const Clock clock;
   if (observer.stage) observer.stage("mesh");
-  return run_from(scene, Step<dim>{.problem = scene::fix_data(scene, scene::build_mesh(scene))}, clock, observer);
+  const auto make = [&] { return Step<dim>{.problem = scene::fix_data(scene, scene::build_mesh(scene))}; };
+  return run_within_memory(scene, make, observer);
 }
 
 template <int dim>
 Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer) {
-  return run_from(scene, Step<dim>{.problem = std::move(problem), .changed = true}, Clock(), observer);
+  const auto make = [&] { return Step<dim>{.problem = std::move(problem), .changed = true}; };
+  return run_within_memory(scene, make, observer);
 }
 
 template struct Outcome<2>;

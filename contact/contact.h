@@ -75,6 +75,11 @@ class BlasThreads {
   int before_;
 };
 
+/// Lets BLAS take the memory that it needs to be called from `callers` threads at once, where it has not yet. Without
+/// memory for it BLAS itself would try for ever.
+/// \throw std::bad_alloc
+void reserve_blas_memory(int callers);
+
 /// Solves  min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g  by the problem in the multipliers,
 ///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
 /// Each K is factorised once, the unknowns that B touches last. Without rows (m = 0) each body is just solved; without
@@ -82,6 +87,7 @@ class BlasThreads {
 /// \pre at least one body; matrices compressed, their rows sorted
 /// \param gap g, m
 /// \param guess rows expected to be active (m entries, or empty: all)
+/// \throw std::bad_alloc, also where it is CHOLMOD or METIS that the memory does not suffice for
 Solution solve(const std::vector<Body>& bodies, const Eigen::VectorXd& gap, const std::vector<char>& guess = {});
 
 /// What the outcome means, in one line; empty: solved, or not_converged.

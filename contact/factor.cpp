@@ -6,8 +6,11 @@
 
 #include <cholmod.h>
 #include <dlfcn.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <mutex>
+#include <new>
 #include <stdexcept>
 
 namespace bracket::contact {
@@ -92,14 +95,13 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
   std::vector<int> permutation = order(stiffness, nodes, last);
   cholmod_sparse matrix = view(stiffness);
   handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
-  if (!handle_->factor) throw std::runtime_error("no symbolic factorisation: out of memory");
+  if (!handle_->factor) throw std::bad_alloc();
 }
 
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   if (stiffness.rows() == 0) return true;
   cholmod_sparse matrix = view(stiffness);
-  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common))
-    throw std::runtime_error("no factorisation: out of memory");
+  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common)) throw std::bad_alloc();
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
@@ -124,7 +126,7 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &handle_->common);
-  if (!solution) throw std::runtime_error("no solution: out of memory");
+  if (!solution) throw std::bad_alloc();
   Eigen::VectorXd result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
   cholmod_free_dense(&solution, &handle_->common);
   return result;
@@ -166,6 +168,27 @@ int BlasThreads::now() {
   using Get = int();
   void* const get = dlsym(RTLD_DEFAULT, "openblas_get_num_threads");
   return get ? reinterpret_cast<Get*>(get)() : 0;
+}
+
+void reserve_blas_memory(int callers) {
+  using Take = void*(int);
+  using Give = void(void*);
+  void* const take = dlsym(RTLD_DEFAULT, "blas_memory_alloc");  // OpenBLAS's own; another BLAS takes no such buffers
+  void* const give = dlsym(RTLD_DEFAULT, "blas_memory_free");
+  if (!take || !give) return;
+  static std::mutex reserving;
+  static int reserved = 0;
+  const std::lock_guard<std::mutex> lock(reserving);
+  if (reserved >= callers) return;
+  constexpr std::size_t buffer = std::size_t{128} << 20;  // what OpenBLAS 0.3.21 takes for each caller
+  const std::size_t size = callers * buffer;
+  void* const room = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  munmap(room, size);
+  std::vector<void*> buffers(callers);
+  for (void*& taken : buffers) taken = reinterpret_cast<Take*>(take)(0);
+  for (void* taken : buffers) reinterpret_cast<Give*>(give)(taken);  // it keeps them for later calls
+  reserved = callers;
 }
 
 }  // namespace bracket::contact

@@ -5,8 +5,8 @@
 #include <signal.h>
 
 #include <mutex>
+#include <new>
 #include <numeric>
-#include <stdexcept>
 
 namespace bracket::contact {
 namespace {
@@ -55,6 +55,15 @@ class KeptHandler {
   int signal_;
   struct sigaction action_;
 };
+/// Where the memory does not suffice for METIS, CHOLMOD returns what is no permutation, as if all were well.
+bool is_permutation(const std::vector<int>& order) {
+  std::vector<char> found(order.size(), 0);
+  for (const int i : order) {
+    if (i < 0 || i >= static_cast<int>(order.size()) || found[i]) return false;
+    found[i] = 1;
+  }
+  return true;
+}
 
 std::vector<int> dissect(NodeGraph& graph) {
   const std::size_t n = graph.node.size();
@@ -83,7 +92,7 @@ std::vector<int> dissect(NodeGraph& graph) {
   const int done = small ? cholmod_amd(&pattern, nullptr, 0, order.data(), &common)
                          : cholmod_metis(&pattern, nullptr, 0, 0, order.data(), &common);
   cholmod_finish(&common);
-  if (!done) throw std::runtime_error("no ordering of the unknowns: out of memory");
+  if (!done || !is_permutation(order)) throw std::bad_alloc();
   return order;
 }
 

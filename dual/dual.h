@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include "contact/contact.h"
 #include "scene/scene.h"
 
@@ -28,9 +30,12 @@ template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const s
 
 /// The same minimum by Uzawa's iteration on the multipliers of (3.13), (3.14) [HH81, §3], until the stress is known to
 /// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; its outcome is solved or
-/// not_converged, the latter also where no pressure balances the loads.
+/// not_converged, the latter also where no pressure balances the loads or the time is spent.
 /// \param particular λ̄ [HH81, §2]: linear on the parts of each cell, tractions continuous, div λ̄ = −F, λ̄n = P on
 ///     Γ_τ, no shear on Γ_0 and Γ_K, one pressure for both sides of Γ_K, which may be a tension (Remark 2.1)
-template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular);
+/// \param time_is_spent asked now and then; empty: it never is
+template <int dim>
+Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular,
+                  const std::function<bool()>& time_is_spent = {});
 
 }  // namespace bracket::dual

@@ -48,19 +48,20 @@ struct Iterated {
   Eigen::VectorXd multipliers;
   Parameters parameters;
   int iterations = 0;
+  bool out_of_time = false;
   double error = std::numeric_limits<double>::infinity();  ///< estimated, by the size of the stress
 };
 
 /// Iterates until the stress is known, and the constraints met, to `tolerance` or as well as rounding lets it. Where no
 /// stress meets them the parameters converge and the multipliers do not.
-Iterated iterate(const UzawaSystem& system) {
+Iterated iterate(const UzawaSystem& system, const std::function<bool()>& time_is_spent) {
   const double step = uzawa_step(system);
   Iterated state;
   state.multipliers = Eigen::VectorXd::Zero(system.scale.size());
   state.parameters = parameters(system, state.multipliers);
   const double rounding = 1e-14 * norm(state.parameters);
   double before = 0;  // none: no estimate yet
-  while (state.error > tolerance && state.iterations < most_iterations) {
+  while (state.error > tolerance && state.iterations < most_iterations && !state.out_of_time) {
     const Eigen::VectorXd next = next_multipliers(system, state.multipliers, state.parameters, step);
     const Eigen::VectorXd last = std::exchange(state.multipliers, next);
     const Parameters old = std::exchange(state.parameters, parameters(system, next));
@@ -70,6 +71,7 @@ Iterated iterate(const UzawaSystem& system) {
     const double error = std::max(error_estimate(change, before), violation);
     state.error = error > rounding ? error / stress_size(system, state.parameters) : 0;
     before = change;
+    state.out_of_time = time_is_spent && time_is_spent();
   }
   return state;
 }
@@ -88,13 +90,15 @@ scene::Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& lay
 
 }  // namespace
 
-template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular) {
+template <int dim>
+Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular,
+                  const std::function<bool()>& time_is_spent) {
   const Clock assembling;
   Result<dim> result;
   const UzawaSystem system = uzawa_system(problem, particular);
   result.assemble = assembling.seconds();
   const Clock iterating;
-  const Iterated state = iterate(system);
+  const Iterated state = iterate(system, time_is_spent);
   result.seconds.contact = iterating.seconds();
   result.unknowns = static_cast<int>(system.scale.size());
   result.rows = static_cast<int>(system.openings.size());
@@ -107,9 +111,14 @@ template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const s
     }
   if (state.error > tolerance) {
     result.outcome = contact::Outcome::not_converged;
-    result.reason = fmt::format("stresses: after {} iterations of Uzawa's method the estimated error is {:.1g} of the "
-                                "stress, not {:g}; write solve.dual = \"hybrid\", or take a coarser mesh",
-                                most_iterations, state.error, tolerance);
+    result.reason =
+        state.out_of_time
+            ? fmt::format("stresses: the time is spent after {} iterations of Uzawa's method; write solve.dual = "
+                          "\"hybrid\", raise refine.max_seconds, or take a coarser mesh",
+                          state.iterations)
+            : fmt::format("stresses: after {} iterations of Uzawa's method the estimated error is {:.1g} of the "
+                          "stress, not {:g}; write solve.dual = \"hybrid\", or take a coarser mesh",
+                          most_iterations, state.error, tolerance);
     return result;
   }
   const Clock recovering;
@@ -118,6 +127,6 @@ template <int dim> Result<dim> uzawa(const scene::Problem<dim>& problem, const s
   return result;
 }
 
-template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&);
+template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&, const std::function<bool()>&);
 
 }  // namespace bracket::dual

@@ -5,13 +5,14 @@
 #include <iostream>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/say.h"
 #include "bounds/bounds.h"
 
 namespace bracket::apps {
 namespace {
 
 void print_notes(const scene::Mesh<2>& mesh) {
-  for (const std::string& note : mesh.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : mesh.notes) say_note(note);
 }
 
 std::string mesh_text(const scene::Mesh<2>& mesh) {

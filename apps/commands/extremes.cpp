@@ -90,7 +90,7 @@ Ending extremes(const std::filesystem::path& file, const std::vector<std::string
   scene::Scene<2> settings = scene;
   settings.refine = {};  // each interval is that of one mesh
   const std::filesystem::path folder = results_folder(given_folder, file, ".extremes");
-  prepare_folder(folder);
+  const Descriptor in_use = prepare_folder(folder);
 
   Extremes extremes;
   bool interrupted = false;

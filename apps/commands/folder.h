@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "apps/plots/picture.h"
 
@@ -13,12 +14,28 @@ namespace bracket::apps {
 std::filesystem::path results_folder(const std::filesystem::path& folder, const std::filesystem::path& scene,
                                      const std::string& ending);
 
+/// A file descriptor, closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor();
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
 /// Makes `folder` ready for the results of a run: creates it, or clears it of the files that an earlier run wrote there
 /// (a folder of results lists them in its file `.bracket`).
-/// \throw scene::Error (input) if it is not a folder, holds files but no `.bracket`, or cannot be written
-void prepare_folder(const std::filesystem::path& folder);
+/// \return as long as it lives the folder is this run's, and refused to others
+/// \throw scene::Error (input) if it is not a folder, is in use by another run, holds files but no `.bracket`, or
+///        symbolic links in the place of results, or cannot be written
+[[nodiscard]] Descriptor prepare_folder(const std::filesystem::path& folder);
 
-/// Writes a file of results, under another name first, so that it is there as a whole or not at all.
+/// Writes a file of results, under another name first, so that it is there as a whole or not at all. Symbolic links are
+/// not followed.
 /// \pre prepare_folder(folder)
 /// \throw scene::Error (input) if it cannot be written
 void write_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);

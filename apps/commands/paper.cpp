@@ -90,7 +90,7 @@ Picture paper_picture(const Table& interpolation, const Table& stress_error) {
 
 void paper(const std::filesystem::path& given_folder) {
   const std::filesystem::path folder = results_folder(given_folder, "bracket", ".paper");
-  prepare_folder(folder);
+  const Descriptor in_use = prepare_folder(folder);
   std::vector<Table> tables;
   const auto add = [&](const std::string& name, const std::function<Table()>& make) {
     {

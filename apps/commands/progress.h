@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
+
+#include "apps/commands/say.h"
 
 namespace bracket::apps {
 
@@ -13,13 +14,13 @@ class Progress {
  public:
   explicit Progress(bool wanted) : wanted_(wanted) {}
   ~Progress() {
-    if (wanted_) std::fputs(clear_line, stderr);
+    if (wanted_) say(clear_line);
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void show(const std::string& stage) const {
-    if (wanted_) fmt::print(stderr, "{}{} …", clear_line, stage);
+    if (wanted_) say(fmt::format("{}{} …", clear_line, stage));
   }
 
  private:

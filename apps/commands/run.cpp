@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 #include <utility>
 
 #include "apps/commands/commands.h"
@@ -12,6 +12,7 @@
 #include "apps/commands/interrupt.h"
 #include "apps/plots/pictures.h"
 #include "apps/commands/progress.h"
+#include "apps/commands/say.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
 
@@ -25,6 +26,7 @@ struct Results {
   Clock clock;      // of the command
   double read = 0;  // seconds
   std::vector<LevelSeconds> around = {};
+  std::vector<std::string> missing = {};  ///< what could not be written of levels after the first, and why
 };
 
 Report report(const Results& results, const bounds::Outcome<2>& outcome) {
@@ -33,7 +35,7 @@ Report report(const Results& results, const bounds::Outcome<2>& outcome) {
           .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
           .read = results.read,
           .around = results.around,
-          .missing = {}};
+          .missing = results.missing};
 }
 
 // The fields of the last level, and the collection of all.
@@ -60,6 +62,16 @@ void write_level(Results& results, const bounds::Outcome<2>& outcome) {
   write_file(results.folder, "report.json", report_json(so_far));
 }
 
+/// A disk that cannot take the first level is the user's to mend. Later the interval counts more than the files.
+void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome) {
+  try {
+    write_level(results, outcome);
+  } catch (const scene::Error& error) {
+    if (outcome.levels.size() == 1) throw;
+    results.missing.emplace_back(error.what());
+  }
+}
+
 bounds::Outcome<2> solve(Results& results, bool show_progress) {
   const Interrupt interrupt;
   const Progress progress(show_progress);
@@ -72,7 +84,7 @@ bounds::Outcome<2> solve(Results& results, bool show_progress) {
   };
   observer.level = [&](const bounds::Outcome<2>& so_far) {
     progress.show("writing");
-    write_level(results, so_far);
+    write_level_if_it_fits(results, so_far);
     if (interrupt.requested()) stop.request_stop();
   };
   return bounds::run(results.scene, observer);
@@ -87,13 +99,47 @@ void write_pictures(const Results& results, Report& report, bool png) {
     write_file(results.folder, drawing.name + ".svg", drawing.svg);
     if (!drawing.png.empty()) write_file(results.folder, drawing.name + ".png", drawing.png);
   }
-  report.missing = std::move(drawings.missing);
+  report.missing.insert(report.missing.end(), drawings.missing.begin(), drawings.missing.end());
   report.pictures = clock.seconds();
   write_file(results.folder, "report.html", report_html(report, drawings.drawn));
 }
 
+/// Writes what the run has found, over what says that it is going on.
+/// \return what could not be written, and why
+std::vector<std::string> write_end(const Results& results, const Report& report) {
+  std::vector<std::string> missing;
+  for (const auto& [name, content] :
+       {std::pair("history.csv", history_csv(report)), std::pair("report.json", report_json(report))}) {
+    try {
+      write_file(results.folder, name, content);
+    } catch (const scene::Error& error) {
+      missing.emplace_back(error.what());
+    }
+  }
+  return missing;
+}
+
+/// As write_end(); where the disk is full the files that say that the run is going on make room, and do not stay.
+void write_first_end(const Results& results, const Report& report) {
+  if (write_end(results, report).empty()) return;
+  std::error_code error;
+  for (const char* name : {"report.json", "history.csv"}) std::filesystem::remove(results.folder / name, error);
+  write_end(results, report);
+}
+
+/// Pictures and report.html; where they cannot be, the report tells why.
+void try_pictures(const Results& results, Report& report, bool png) {
+  try {
+    write_pictures(results, report, png);
+  } catch (const scene::Error& error) {
+    report.missing.emplace_back(error.what());
+  } catch (const std::bad_alloc&) {
+    report.missing.emplace_back("pictures: the memory did not suffice");
+  }
+}
+
 void print_notes(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) fmt::print(stderr, "note: {}\n", line);
+  for (const std::string& line : lines) say_note(line);
 }
 
 std::string emphasised(std::string line) {
@@ -103,7 +149,8 @@ std::string emphasised(std::string line) {
   return "\033[1m" + line;
 }
 
-std::string where(const std::filesystem::path& folder, bool with_pictures) {
+std::string where(const std::filesystem::path& folder) {
+  const bool with_pictures = std::filesystem::exists(folder / "report.html");
   return fmt::format("Report: {}{}, for ParaView: {}\n", with_pictures ? (folder / "report.html").string() + ", " : "",
                      (folder / "report.json").string(), (folder / "solution.pvd").string());
 }
@@ -117,27 +164,28 @@ Ending run(const RunOptions& options) {
                   .folder = results_folder(options.folder, options.scene, ".out"),
                   .clock = clock,
                   .read = clock.seconds()};
-  prepare_folder(results.folder);  // before the work, so that a folder that cannot be used is known at once
+  // Before the work, so that a folder that cannot be used is known at once.
+  const Descriptor in_use = prepare_folder(results.folder);
 
   const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
-    write_level(results, outcome);  // of a level that failed its checks
+    write_level_if_it_fits(results, outcome);  // of a level that failed its checks
   Report report = apps::report(results, outcome);
-  if (options.pictures) write_pictures(results, report, options.png);
-  const std::string json = report_json(report);
-  write_file(results.folder, "history.csv", history_csv(report));
-  write_file(results.folder, "report.json", json);
+  write_first_end(results, report);  // before the pictures, which may fill the disk
+  if (options.pictures) try_pictures(results, report, options.png);
+  const std::vector<std::string> unwritten = write_end(results, report);
 
   if (!options.quiet) {
     print_notes(outcome.problem.mesh.notes);
     print_notes(report.missing);
+    print_notes(unwritten);
   }
   if (options.json) {
-    std::cout << json;
+    std::cout << report_json(report);
   } else {
     std::cout << emphasised(headline(report));
-    if (!options.quiet) std::cout << report_text(report) << where(results.folder, options.pictures);
+    if (!options.quiet) std::cout << report_text(report) << where(results.folder);
   }
   return {outcome.status, outcome.reason};
 }

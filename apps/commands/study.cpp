@@ -27,7 +27,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
   scene.refine.target = 0;
   const std::filesystem::path folder = results_folder(given_folder, file, ".study");
-  prepare_folder(folder);
+  const Descriptor in_use = prepare_folder(folder);
 
   std::vector<Series> all;
   const auto solve = [&](const Interrupt& interrupt, const Progress& progress) {

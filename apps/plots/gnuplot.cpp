@@ -1,5 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,9 +9,11 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "apps/plots/picture.h"
+#include "contact/clock.h"
 
 namespace bracket::apps {
 namespace {
@@ -44,10 +47,20 @@ Process start(const std::string& script) {
   posix_spawn_file_actions_adddup2(&streams, fileno(process.in.get()), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(process.out.get()), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&streams, fileno(process.complaint.get()), STDERR_FILENO);
+  posix_spawnattr_t manners;  // it dies of the signals that we ignore, and its group with it
+  posix_spawnattr_init(&manners);
+  sigset_t ignored;
+  sigemptyset(&ignored);
+  sigaddset(&ignored, SIGPIPE);
+  sigaddset(&ignored, SIGXFSZ);
+  posix_spawnattr_setsigdefault(&manners, &ignored);
+  posix_spawnattr_setpgroup(&manners, 0);
+  posix_spawnattr_setflags(&manners, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   char program[] = "gnuplot", defaults[] = "-d";  // -d: not what the user's own start-up file says
   char* const arguments[] = {program, defaults, nullptr};
-  process.error = posix_spawnp(&process.id, program, &streams, nullptr, arguments, environ);
+  process.error = posix_spawnp(&process.id, program, &streams, &manners, arguments, environ);
   posix_spawn_file_actions_destroy(&streams);
+  posix_spawnattr_destroy(&manners);
   return process;
 }
 
@@ -70,14 +83,29 @@ std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-Ended wait(const Process& process) {
+// A full disk cuts a picture short, and gnuplot does not mind.
+bool is_whole(const std::string& picture) {
+  return picture.ends_with("</svg>\n") || picture.ends_with("</svg>\n\n") || picture.ends_with("IEND\xae\x42\x60\x82");
+}
+
+/// \param limit seconds, \param clock since all were started
+Ended wait(const Process& process, const Clock& clock, double limit) {
   if (process.error != 0) return {"", fmt::format("gnuplot cannot be started: {}", std::strerror(process.error))};
   int status = 0;
-  while (waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
+  for (pid_t ended; (ended = waitpid(process.id, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR);) {
+    if (clock.seconds() >= limit) {
+      kill(-process.id, SIGKILL);  // with what it may have started
+      while (waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
+      }
+      return {"", fmt::format("gnuplot did not end within {:g} s", limit)};
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
+  if (WIFSIGNALED(status)) return {"", fmt::format("gnuplot was ended: {}", strsignal(WTERMSIG(status)))};
   std::string picture = content(process.out.get());
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty())
     return {"", "gnuplot failed: " + last_line(content(process.complaint.get()))};
+  if (!is_whole(picture)) return {"", "gnuplot failed: the picture is cut short"};
   return {std::move(picture), ""};
 }
 
@@ -90,7 +118,8 @@ Process start(const Picture& picture, const char* terminal) {
 
 }  // namespace
 
-Drawings draw(const std::vector<Picture>& pictures, bool png) {
+Drawings draw(const std::vector<Picture>& pictures, bool png, std::chrono::seconds limit) {
+  const Clock clock;
   std::vector<Process> svgs, pngs;
   for (const Picture& picture : pictures) {
     svgs.push_back(start(picture, "svg"));
@@ -100,7 +129,8 @@ Drawings draw(const std::vector<Picture>& pictures, bool png) {
   if (!svgs.empty() && svgs[0].error == ENOENT) drawings.missing = {"pictures: gnuplot is not installed"};
   if (!drawings.missing.empty()) return drawings;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    Ended svg = wait(svgs[i]), bitmap = png ? wait(pngs[i]) : Ended{};
+    const auto seconds = static_cast<double>(limit.count());
+    Ended svg = wait(svgs[i], clock, seconds), bitmap = png ? wait(pngs[i], clock, seconds) : Ended{};
     if (svg.fault.empty())
       drawings.drawn.push_back(
           {pictures[i].name, pictures[i].caption, std::move(svg.picture), std::move(bitmap.picture), pictures[i].wide});

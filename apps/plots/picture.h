@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ struct Drawings {
   std::vector<std::string> missing;  ///< what could not be drawn, and why, one line each
 };
 
-/// Draws pictures by gnuplot, side by side.
-Drawings draw(const std::vector<Picture>& pictures, bool png);
+/// Draws pictures by gnuplot, side by side. Pictures are bounded in size, and the tests hold those of a run to 5 s: the
+/// limit, after which gnuplot is killed, leaves a busy machine twelve times as long.
+Drawings draw(const std::vector<Picture>& pictures, bool png, std::chrono::seconds limit = std::chrono::seconds(60));
 
 /// A name as a string of gnuplot, in quotes; it is drawn as it is where "noenhanced" follows.
 std::string quoted(const std::string& text);

@@ -1,9 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <toml++/toml.h>
-
 #include "scene/scene.h"
+#include "scene/toml/toml.h"
 
 /// Typed access to the nodes of a scene file. `name` is how messages call a node, such as "bodies.upper.E". Whatever
 /// is not as expected is thrown as Error (input) with the node's place.

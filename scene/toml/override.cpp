@@ -75,12 +75,12 @@ toml::table entry(const std::vector<std::string>& names, const std::string& valu
   std::string key;
   for (const std::string& name : names) key += fmt::format("{}{}", key.empty() ? "" : ".", toml_string(name));
   try {
-    toml::table parsed = toml::parse(key + " = " + value, where);
+    toml::table parsed = parse_toml(key + " = " + value, where);
     if (parsed.size() == 1) return parsed;
   } catch (const toml::parse_error&) {  // not TOML: a string, so that formulas need no quotes
   }
   try {
-    return toml::parse(key + " = " + toml_string(value), where);
+    return parse_toml(key + " = " + toml_string(value), where);
   } catch (const toml::parse_error& error) {
     fail(Status::input, where, std::string(error.description()));
   }

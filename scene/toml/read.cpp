@@ -29,7 +29,7 @@ toml::table parse(const std::filesystem::path& file, const std::vector<std::stri
   toml::table table;
   const std::string text = read_text(file);
   try {
-    table = toml::parse(text, file.string());
+    table = parse_toml(text, file.string());
   } catch (const toml::parse_error& error) {
     const std::string_view description = error.description();
     // toml++ garbles the name of what is written twice: show the line instead.

@@ -30,6 +30,10 @@ TEST(BadScene, IsRefusedWithItsPlace) {
       {"schema = 1\n", "", {"'schema' is missing"}},
       {"schema = 1", "schema = 1.0", {"schema must be an integer"}},
       {"schema = 1", "schema = ", {":1:", "TOML"}},
+      // what toml++ asserts, or is undefined for
+      {"schema = 1", "schema = 1\n[[.5", {":2:3: not valid TOML"}},
+      {"title = ", "x = 1\u00e92\ntitle = ", {":2:6: not valid TOML: only strings"}},
+      {"title = ", "x = 0x\u00a7\ntitle = ", {":2:7: not valid TOML: only strings"}},
       {"title = ", "titel = ", {":2:1", "'titel'", "did you mean 'title'?"}},
       {"title = \"Two blocks\"", "title = 5", {"title must be a string, not a number"}},
       {"\"strain\"", "\"strian\"", {":4:9", "strian", "'strain'"}},
