@@ -30,8 +30,8 @@ struct RunOptions {
 /// Solves a scene and prints the report. The folder holds the results of each level as soon as it is done. Ctrl-C ends
 /// the run after the level that it is in.
 /// \return as bounds::run ended
-/// \throw scene::Error; input also where the folder is refused or cannot be written, not_guaranteed where one of the
-///        formulations found no fields
+/// \throw scene::Error; input also where the folder is refused or cannot take the first level, not_guaranteed where one
+///        of the formulations found no fields or the memory did not suffice for them
 Ending run(const RunOptions& options);
 
 /// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares
