@@ -75,7 +75,7 @@ Interface random_interface(Index m, Index n, Index k, std::mt19937& random) {
 }
 
 Pressure descend(const Interface& problem) {
-  return primal_active_set(problem, balance(problem.motion, problem.load, problem.load.norm()).pressure);
+  return primal_active_set(problem, balance(problem.motion, problem.load, 1e-10 * problem.load.norm()).pressure);
 }
 
 TEST(ActiveSet, BothWaysAgreeWithAllSubsets) {

@@ -10,7 +10,7 @@ namespace {
 using namespace test;
 
 void expect_balanced(const MatrixXd& rows, const VectorXd& load, double scale) {
-  const Balance found = balance(rows, load, scale);
+  const Balance found = balance(rows, load, 1e-10 * scale);
   ASSERT_TRUE(found.possible);
   EXPECT_TRUE((found.pressure.array() >= 0).all());
   EXPECT_LE((found.pressure.array() > 0).count(), rows.cols());
@@ -19,7 +19,7 @@ void expect_balanced(const MatrixXd& rows, const VectorXd& load, double scale) {
 
 /// y is a certificate: nothing ≥ 0 can do work against it, yet the load gains. [HH81, (1.16)]
 void expect_pushed_off(const MatrixXd& rows, const VectorXd& load, double scale) {
-  const Balance found = balance(rows, load, scale);
+  const Balance found = balance(rows, load, 1e-10 * scale);
   ASSERT_FALSE(found.possible);
   const VectorXd work = rows * found.motion;
   // The slope that counts as zero is 64 roundings of the load, per unit row.

@@ -64,13 +64,13 @@ std::vector<std::string> faults_of_ending(int degree, const Ended& ended) {
   return faults;
 }
 
-/// Intervals are of one problem to the last bit. In a run upper bounds fall with the nested spaces but for what the
-/// certificates add.
+/// Intervals are of one problem to the last bit. From one level of a run to the next upper bounds fall
+/// with the nested spaces but for what the certificates add.
 std::vector<std::string> faults_between(const Found& one, const Found& other) {
   std::vector<std::string> faults;
   if (one.lower > other.upper || other.lower > one.upper)
     faults.push_back(fmt::format("they exclude each other: {} and {}", one.name(), other.name()));
-  const bool nested = one.degree == other.degree && one.level <= other.level;
+  const bool nested = one.degree == other.degree && one.level + 1 == other.level;
   if (nested && other.upper > one.upper + other.added + one.added)
     faults.push_back(fmt::format("the upper bound rises: {} to {}", one.name(), other.name()));
   return faults;
