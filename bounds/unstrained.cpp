@@ -15,7 +15,8 @@ template <int dim> bool has_loads(const scene::Problem<dim>& problem) {
          std::any_of(problem.facets.begin(), problem.facets.end(), scene::is_loaded<dim>);
 }
 
-/// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
+}  // namespace
+
 template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size) {
   const auto& mesh = problem.mesh;
   double energy = 0;
@@ -29,8 +30,6 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, do
   }
   return energy;
 }
-
-}  // namespace
 
 template <int dim>
 bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
@@ -54,6 +53,7 @@ scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, co
   return displacement;
 }
 
+template double energy_of_noise(const scene::Problem<2>&, double);
 template bool is_unstrained(const scene::Problem<2>&, const scene::Displacement<2>&);
 template scene::Stress<2> no_stress(const scene::Mesh<2>&);
 template scene::Displacement<2> translated(const scene::Mesh<2>&, int, const scene::Vector<2>&);

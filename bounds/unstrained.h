@@ -11,6 +11,9 @@ namespace bracket::bounds {
 template <int dim>
 bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
+/// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
+template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size);
+
 /// λ = 0
 template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
 /// u = `translation` everywhere
