@@ -6,7 +6,6 @@
 
 #include "bounds/certificate/links.h"
 
-
 namespace bracket::bounds {
 
 using scene::Support;
@@ -34,10 +33,6 @@ void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
       if (p <= noise * traction * scene::length(mesh, pair.first)) p = 0;
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// σ n
 Vector<2> on(const scene::Voigt<2>& stress, const Vector<2>& n) {

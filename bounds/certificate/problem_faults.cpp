@@ -48,6 +48,12 @@ std::string index_fault(const Problem<2>& problem) {
     if (!in_range(pair.first, problem.facets.size()) || pair.second < -1 || pair.pair < 0 ||
         (pair.second >= 0 && !in_range(pair.second, problem.facets.size())))
       return "a contact names a facet that is not there";
+  for (const auto& correction : problem.corrections)
+    if (!in_range(correction.facet, problem.facets.size()) || !all_finite(correction.unit))
+      return "a correction of the loads names a facet that is not there, or is not finite";
+  for (const auto& pair : problem.contact)
+    if (!problem.corrections.empty() && !in_range(pair.pair, problem.carries.size()))
+      return "the corrections of the loads do not say which contacts carry";
   return "";
 }
 

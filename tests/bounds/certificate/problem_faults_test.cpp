@@ -102,6 +102,15 @@ TEST(ProblemFault, after_refinement) {
   for (const auto& [change, named] : changes) expect_refused(refined(), change, named);
 }
 
+TEST(ProblemFault, of_corrections) {
+  const auto floating = balanced(tests::problem(tests::linear_pressure({}, 2, 1)), 2);
+  ASSERT_EQ(floating.corrections.size(), 2u);
+  expect_refused(floating, [](auto& p) { p.carries.clear(); }, "which contacts carry");
+  expect_refused(floating, [](auto& p) { p.corrections[0].facet = -1; }, "correction");
+  expect_refused(floating, [](auto& p) { p.corrections.pop_back(); }, "");
+  expect_refused(floating, [](auto& p) { p.corrections[0] = p.corrections[1]; }, "");
+}
+
 TEST(ProblemFault, fields_of_another_mesh_are_refused) {
   const auto problem = sound();
   const auto u = primal::solve(problem, 2).displacement;
