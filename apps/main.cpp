@@ -46,8 +46,7 @@ Ending perform(int argc, char** argv) {
         ->allow_extra_args(false);
   };
   const auto add_folder = [&options](CLI::App* command, const std::string& otherwise) {
-    command
-        ->add_option("-o", options.folder, fmt::format("Folder for the results (default: {})", otherwise))
+    command->add_option("-o", options.folder, fmt::format("Folder for the results (default: {})", otherwise))
         ->type_name("DIR")
         ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
   };

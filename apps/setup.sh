@@ -1,10 +1,10 @@
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the Debian packages that are missing. Sourced by apps/run.sh and tests/run.sh.
+# Installs the Debian packages that are missing. Sourced by apps/run.sh and, with $more_packages, by tests/run.sh.
 
 packages="g++ cmake ninja-build lld
-  libdeal.ii-dev libeigen3-dev libsuitesparse-dev libmetis-dev libopenblas0-pthread libopenblas-dev
+  libdeal.ii-dev libeigen3-dev libsuitesparse-dev libmetis-dev libopenblas0-pthread libopenblas-dev libboost-dev
   libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libmuparser-dev libgtest-dev libbenchmark-dev
-  gnuplot-nox"
+  gnuplot-nox ${more_packages:-}"
 
 missing=
 for package in $packages; do

@@ -59,7 +59,7 @@ template <int dim> struct Outcome {
 
 /// Who follows a run, and may end it.
 template <int dim> struct Observer {
-  std::function<void(const std::string& stage)> stage;  ///< told as each stage of a level begins
+  std::function<void(const std::string& stage)> stage;    ///< told as each stage of a level begins
   std::function<void(const Outcome<dim>& so_far)> level;  ///< told as each level is done
   std::stop_token stop;                                   ///< asked after each level
 };

@@ -26,8 +26,8 @@ using scene::Status;
 template <int dim> struct Step {
   scene::Problem<dim> problem;
   std::vector<char> primal_closed = {}, dual_closed = {};  ///< empty: unknown
-  double seconds = 0;    ///< that it took to make
-  bool changed = false;  ///< the data are no more those of the scene
+  double seconds = 0;                                      ///< that it took to make
+  bool changed = false;                                    ///< the data are no more those of the scene
 };
 
 /// Both formulations on one mesh.
@@ -119,8 +119,10 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
                              : bracket(level.plain.lower, level.plain.upper, level.plain.strain, shares);
   level.checks = admissibility(problem, displacement, stress);
   level.checks.gap_identity = level.plain.gap_identity;
-  if (!earlier.empty()) level.oscillation_energy = earlier.front().oscillation_energy;
-  else if (!step.changed) level.oscillation_energy = oscillation_energy(scene, problem, displacement, stress);
+  if (!earlier.empty())
+    level.oscillation_energy = earlier.front().oscillation_energy;
+  else if (!step.changed)
+    level.oscillation_energy = oscillation_energy(scene, problem, displacement, stress);
   return level;
 }
 
@@ -128,9 +130,10 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
 std::string uncertified(const Level& level) {
   if (level.certificate.valid) return "";
   const auto [name, value] = level.checks.worst();
-  return fmt::format("no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
-                     "better shape, or moduli and sizes that differ less",
-                     level.cells, level.certificate.reason, name, value);
+  return fmt::format(
+      "no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
+      "better shape, or moduli and sizes that differ less",
+      level.cells, level.certificate.reason, name, value);
 }
 
 /// What a level's bounds contradict, themselves or those of earlier levels, which are of the same problem to the last
@@ -173,9 +176,10 @@ std::string risen(const Outcome<dim>& earlier, const Level& level, const scene::
   const double risen = level.certificate.upper - last.certificate.upper;
   if (risen <= own(level) + own(last) || risen <= own(level) + own(last) + rounding_of_solution(problem, solved))
     return "";
-  return fmt::format("the upper bound rose from {} to {} on {} cells, although the spaces are nested: the solvers went "
-                     "astray; the levels before stand",
-                     last.certificate.upper, level.certificate.upper, level.cells);
+  return fmt::format(
+      "the upper bound rose from {} to {} on {} cells, although the spaces are nested: the solvers went "
+      "astray; the levels before stand",
+      last.certificate.upper, level.certificate.upper, level.cells);
 }
 
 /// Makes a level the last of the run. Its bracket is intersected with that of the levels before.
@@ -295,7 +299,8 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
         disown(outcome);
         return ended(std::move(outcome), refine, why, true);
       }
-      if (why = risen(outcome, level, step.problem, solved); !why.empty()) return ended(std::move(outcome), refine, why, true);
+      if (why = risen(outcome, level, step.problem, solved); !why.empty())
+        return ended(std::move(outcome), refine, why, true);
       append(outcome, level, step, solved, std::move(shares));
       outcome.guarantee = "rounding-safe";
       if (observer.level) observer.level(outcome);
@@ -312,8 +317,8 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, Step<dim> step, Clock cloc
     clock = Clock();
     const scene::Problem<dim>& problem = bracketed ? outcome.problem : step.problem;
     const bool adaptive = bracketed && refine.strategy == "adaptive";
-    const auto marked = adaptive ? mark(problem, outcome.indicator, refine.bulk)
-                                 : std::vector<char>(problem.mesh.cells.size(), 1);
+    const auto marked =
+        adaptive ? mark(problem, outcome.indicator, refine.bulk) : std::vector<char>(problem.mesh.cells.size(), 1);
     try {
       step = finer(problem, marked, solved);
     } catch (const scene::Error& error) {  // cells at the resolution of the coordinates; the levels so far stand

@@ -175,8 +175,10 @@ scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all
         if (all.body[m] != mesh.cell_body[mesh.boundary[facets[j]].cell]) continue;
         const auto load = unit_loads(mesh, facets[j])[which];
         for (int i = 0; i < 2; ++i)
-          work(m, 3 * j + which) += (2 * load[i] + load[1 - i]).dot(displacement(
-                                        all.motion[m], mesh.vertices[mesh.boundary[facets[j]].vertices[i]])) / 6;
+          work(m, 3 * j + which) +=
+              (2 * load[i] + load[1 - i])
+                  .dot(displacement(all.motion[m], mesh.vertices[mesh.boundary[facets[j]].vertices[i]])) /
+              6;
       }
   const Eigen::VectorXd amounts = work.colPivHouseholderQr().solve(missing);
   for (std::size_t j = 0; j < facets.size(); ++j)

@@ -8,8 +8,7 @@ namespace bracket::bounds {
 /// Whether there are no loads and the bodies but follow the prescribed displacements and gaps, rigidly: u_h has no more
 /// strain energy than the rounding of those data makes. Then L(u) is 0, as 0 ≤ L(u) ≤ L(u_h); and so is the best
 /// stress, λ = 0, which is in K⁺_{0,0}.
-template <int dim>
-bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
+template <int dim> bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
 /// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
 template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size);

@@ -1,10 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/active_set.h"
 
-#include "contact/statics.h"
-
 #include <cmath>
 #include <set>
+
+#include "contact/statics.h"
 
 namespace bracket::contact {
 

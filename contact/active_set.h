@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/contact.h"
-
 #include <optional>
+
+#include "contact/contact.h"
 
 namespace bracket::contact {
 

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/contact.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "contact/contact.h"
 
 namespace bracket::contact {
 namespace {

@@ -1,14 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact.h"
 
+#include <cassert>
+#include <cmath>
+#include <memory>
+
 #include "contact/active_set.h"
 #include "contact/clock.h"
 #include "contact/factor.h"
 #include "contact/statics.h"
-
-#include <cassert>
-#include <cmath>
-#include <memory>
 
 namespace bracket::contact {
 namespace {
@@ -134,9 +134,9 @@ State refined(const std::vector<Body>& bodies, const std::vector<Motions>& bases
   VectorXd change = VectorXd::Zero(gap.size());
   if (!active.empty()) {
     const MatrixXd transposed = interface.motion.transpose();
-    const auto closed = solve_closed(interface.problem, active, interface.row.cwiseProduct(misfit),
-                                     transposed.triangularView<Eigen::Lower>().solve(
-                                         statics.load - statics.rows.transpose() * state.pressure));
+    const auto closed = solve_closed(
+        interface.problem, active, interface.row.cwiseProduct(misfit),
+        transposed.triangularView<Eigen::Lower>().solve(statics.load - statics.rows.transpose() * state.pressure));
     if (closed) {
       change = closed->pressure.cwiseProduct(interface.row);
       state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
@@ -201,8 +201,8 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
     solution.seconds.order += watch.lap();
     const std::vector<int>& pinned = condensed[b].pinned;
     Factor& factor = condensed[b].factor;
-    const bool definite = pinned.empty() ? factor.factorise(body.stiffness)
-                                         : factor.factorise(pinned_stiffness(body.stiffness, pinned));
+    const bool definite =
+        pinned.empty() ? factor.factorise(body.stiffness) : factor.factorise(pinned_stiffness(body.stiffness, pinned));
     solution.seconds.factorise += watch.lap();
     if (!definite) {
       solution.outcome = Outcome::not_definite;
@@ -218,7 +218,8 @@ Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::
   solution.seconds.contact += watch.lap();
   if (found.outcome != Outcome::solved) return solution;
 
-  State state{{}, interface.row.cwiseProduct(found.pressure),
+  State state{{},
+              interface.row.cwiseProduct(found.pressure),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < bodies.size(); ++b)
     state.elastic.push_back(elastic_displacement(bodies[b], condensed[b], bodies[b].load, state.pressure));

@@ -15,19 +15,19 @@ namespace bracket::contact {
 /// One body: K u = f − Bᵀ p, where u are its unknowns and p the multipliers of all contact rows.
 struct Body {
   Eigen::SparseMatrix<double> stiffness;  ///< K, n × n, lower triangle; its kernel is spanned by `rigid`
-  std::vector<int> nodes;                 ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours (they are ordered
-                                          ///< as one); begins with 0, ends with n
-  Eigen::VectorXd load;                   ///< f, n
-  Eigen::SparseMatrix<double> rows;       ///< B, m × n; the approach is r = Σ B u over the bodies
-  Eigen::MatrixXd rigid;                  ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
+  std::vector<int> nodes;            ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours (they are ordered
+                                     ///< as one); begins with 0, ends with n
+  Eigen::VectorXd load;              ///< f, n
+  Eigen::SparseMatrix<double> rows;  ///< B, m × n; the approach is r = Σ B u over the bodies
+  Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
 };
 
 /// Seconds spent, by phase.
 struct Seconds {
-  double order = 0;      ///< fill-reducing ordering and symbolic factorisation
+  double order = 0;  ///< fill-reducing ordering and symbolic factorisation
   double factorise = 0;
-  double contact = 0;    ///< condensation and the interface problem
-  double recover = 0;    ///< the displacements
+  double contact = 0;  ///< condensation and the interface problem
+  double recover = 0;  ///< the displacements
 };
 
 enum class Outcome {
@@ -46,9 +46,9 @@ struct Solution {
   /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a
   /// stiff body on a soft one).
   std::vector<Eigen::VectorXd> elastic;
-  Eigen::VectorXd pressure;                   ///< p ≥ 0, m; exactly 0 off the active rows
-  std::vector<char> active;                   ///< m: 1 where the row is closed (p may be > 0)
-  int iterations = 0;                         ///< of the active set
+  Eigen::VectorXd pressure;  ///< p ≥ 0, m; exactly 0 off the active rows
+  std::vector<char> active;  ///< m: 1 where the row is closed (p may be > 0)
+  int iterations = 0;        ///< of the active set
   /// Largest imbalance of load along a rigid motion that no contact row resists, by the size of the loads; at rounding
   /// level, else `no_equilibrium`.
   double imbalance = 0;

@@ -1,9 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/factor.h"
 
-#include "contact/contact.h"
-#include "contact/order.h"
-
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <sys/mman.h>
@@ -12,6 +9,9 @@
 #include <mutex>
 #include <new>
 #include <stdexcept>
+
+#include "contact/contact.h"
+#include "contact/order.h"
 
 namespace bracket::contact {
 namespace {
@@ -152,8 +152,10 @@ Trailing Factor::trailing() const {
     for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c) {
       if (place[c] < 0) continue;
       for (int k = c - nodes.super[s]; k < nodes.height(s); ++k) {
-        if (place[rows[k]] >= 0) result.lower(place[rows[k]], place[c]) = nodes.column(s, c)[k];
-        else if (nodes.column(s, c)[k] != 0) throw std::logic_error("the contact unknowns are not last in the factor");
+        if (place[rows[k]] >= 0)
+          result.lower(place[rows[k]], place[c]) = nodes.column(s, c)[k];
+        else if (nodes.column(s, c)[k] != 0)
+          throw std::logic_error("the contact unknowns are not last in the factor");
       }
     }
   }

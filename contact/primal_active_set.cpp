@@ -1,8 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "contact/active_set.h"
 #include "contact/growing_cholesky.h"
-
-#include <algorithm>
 
 namespace bracket::contact {
 namespace {
@@ -17,8 +17,7 @@ double largest(const VectorXd& values) { return values.size() > 0 ? values.lpNor
 /// definite, so the minimum over W of ½ pᵀF p − pᵀw with Gᵀp = e, and its α, are unique.
 class WorkingSet {
  public:
-  explicit WorkingSet(const Interface& problem)
-      : problem_(problem), cholesky_(problem.overlap.size()) {}
+  explicit WorkingSet(const Interface& problem) : problem_(problem), cholesky_(problem.overlap.size()) {}
 
   const std::vector<Index>& rows() const { return rows_; }
   bool append(Index row) {

@@ -31,9 +31,9 @@ struct Statics {
   /// Motions that contact resists and that, with the free ones, are all: which of the bodies' bases, stacked (k of
   /// k_all).
   std::vector<Eigen::Index> resisted;
-  Eigen::MatrixXd free;      ///< the motions that it does not resist: orthonormal coefficients of the bases (k_all × …)
-  Eigen::MatrixXd rows;      ///< G (m × k): the approach by these motions
-  Eigen::VectorXd load;      ///< e (k), without what is taken for rounding
+  Eigen::MatrixXd free;  ///< the motions that it does not resist: orthonormal coefficients of the bases (k_all × …)
+  Eigen::MatrixXd rows;  ///< G (m × k): the approach by these motions
+  Eigen::VectorXd load;  ///< e (k), without what is taken for rounding
   Eigen::VectorXd pressure;  ///< one p ≥ 0 that balances it, with at most k entries > 0
   double imbalance = 0;      ///< as in Solution
   Eigen::VectorXd motion;    ///< not possible: coefficients of the bodies' bases, stacked (k_all)

@@ -100,7 +100,8 @@ LoadMatrix balanced_loads(const Triangle& t) {
 ReferenceBlock make_reference_block() {
   const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
   const Eigen::MatrixXd values = corner_values(t);
-  const Eigen::MatrixXd q = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(continuity(t, values).transpose()).householderQ();
+  const Eigen::MatrixXd q =
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(continuity(t, values).transpose()).householderQ();
   const Eigen::MatrixXd basis = values.lazyProduct(q.rightCols(n_modes));  // no jumps
   const auto corners = [](const auto& column) {
     Corners stress;

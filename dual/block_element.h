@@ -52,9 +52,9 @@ ModeVector coupling(const Triangle& vertices, const BlockElement& block, const s
 /// A linear field with div λ̄ = −F on one cell, zero at its centroid [HH81, §3: "simple integration"], and what it adds
 /// to the cell's system.
 struct Particular {
-  Corners stress;      ///< λ̄
-  ModeVector coupling; ///< ∫ τ_k : C⁻¹ λ̄
-  LoadVector loads;    ///< ∫ φ_i λ̄n by edges, as ReferenceBlock::loads
+  Corners stress;       ///< λ̄
+  ModeVector coupling;  ///< ∫ τ_k : C⁻¹ λ̄
+  LoadVector loads;     ///< ∫ φ_i λ̄n by edges, as ReferenceBlock::loads
 };
 Particular particular(const Triangle& vertices, const BlockElement& block, const scene::Elasticity<2>& compliance,
                       const scene::Vector<2>& force);

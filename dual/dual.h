@@ -17,7 +17,7 @@ template <int dim> struct Result {
   int unknowns = 0;          ///< edge displacements that are not prescribed
   int rows = 0;
   int active_rows = 0;
-  int iterations = 0;  ///< of the active set, or Uzawa's
+  int iterations = 0;    ///< of the active set, or Uzawa's
   double imbalance = 0;  ///< see contact::Solution
   double assemble = 0;   ///< seconds
   contact::Seconds seconds;

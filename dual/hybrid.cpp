@@ -142,7 +142,7 @@ void balance_tractions(const Problem<dim>& problem, const Layout& layout, const 
 /// λ = λ̄ + Σ s_k τ_k at the corners. \param loads tractions and pressures on the edge displacements of each body
 template <int dim>
 scene::Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
-                    const contact::Solution& solution) {
+                           const contact::Solution& solution) {
   Amplitudes amplitude(problem.mesh.cells.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
     const Cell cell = make_cell(problem, layout, static_cast<int>(c));

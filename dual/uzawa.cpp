@@ -78,7 +78,7 @@ Iterated iterate(const UzawaSystem& system, const std::function<bool()>& time_is
 
 template <int dim>
 scene::Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, scene::Stress<dim> stress,
-                    const Parameters& parameters) {
+                           const Parameters& parameters) {
   for (std::size_t c = 0; c < parameters.size(); ++c) {
     const BlockElement block = make_cell(problem, layout, static_cast<int>(c)).block;
     const ModeVector amplitudes = block.compliance.llt().matrixU().solve(parameters[c]);
@@ -111,14 +111,15 @@ Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& 
     }
   if (state.error > tolerance) {
     result.outcome = contact::Outcome::not_converged;
-    result.reason =
-        state.out_of_time
-            ? fmt::format("stresses: the time is spent after {} iterations of Uzawa's method; write solve.dual = "
-                          "\"hybrid\", raise refine.max_seconds, or take a coarser mesh",
-                          state.iterations)
-            : fmt::format("stresses: after {} iterations of Uzawa's method the estimated error is {:.1g} of the "
-                          "stress, not {:g}; write solve.dual = \"hybrid\", or take a coarser mesh",
-                          most_iterations, state.error, tolerance);
+    result.reason = state.out_of_time
+                        ? fmt::format(
+                              "stresses: the time is spent after {} iterations of Uzawa's method; write solve.dual = "
+                              "\"hybrid\", raise refine.max_seconds, or take a coarser mesh",
+                              state.iterations)
+                        : fmt::format(
+                              "stresses: after {} iterations of Uzawa's method the estimated error is {:.1g} of the "
+                              "stress, not {:g}; write solve.dual = \"hybrid\", or take a coarser mesh",
+                              most_iterations, state.error, tolerance);
     return result;
   }
   const Clock recovering;

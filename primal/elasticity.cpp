@@ -37,8 +37,7 @@ int place(unsigned int i) { return i < 3 ? static_cast<int>(i) : std::array<int,
 
 }  // namespace
 
-template <int dim>
-void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use) {
+template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use) {
   static_assert(dim == 2, "the places of the nodes are those of a triangle");
   const auto& mesh = problem.mesh;
   std::vector<int> cells;

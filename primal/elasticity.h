@@ -15,7 +15,6 @@ inline int nodes_per_cell(int degree) { return degree == 1 ? 3 : 6; }
 using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load)>;
 
 /// Calls `use` for each cell of a body, in the order of the mesh.
-template <int dim>
-void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use);
+template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use);
 
 }  // namespace bracket::primal

@@ -34,7 +34,7 @@ struct Row {
   std::vector<Entry> entries;
   double bound;
   double size;  ///< of what `bound` is a difference of, absolute
-  int facet;  ///< a contact facet that it belongs to, index into Problem::contact
+  int facet;    ///< a contact facet that it belongs to, index into Problem::contact
 };
 
 /// Rows that make r ≤ g on all of Γ_K: the Bernstein coefficients of r on each facet are bounded by those of g, at the

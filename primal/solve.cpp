@@ -78,8 +78,8 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
     Eigen::VectorXd& load = bodies[mesh.cell_body[facet.cell]].load;
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i) {
-      const Vector<dim> force = nodes.degree == 1 ? Vector<dim>((2 * ends[i] + ends[1 - i]) / 6)
-                                                  : Vector<dim>(ends[i] / 6);
+      const Vector<dim> force =
+          nodes.degree == 1 ? Vector<dim>((2 * ends[i] + ends[1 - i]) / 6) : Vector<dim>(ends[i] / 6);
       add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
     }
     if (nodes.degree == 2) add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], (ends[0] + ends[1]) / 3, load);
@@ -128,7 +128,7 @@ Eigen::VectorXd set_contact_rows(const std::vector<Row>& rows, std::vector<conta
 
 template <int dim>
 scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
-                          const std::vector<Eigen::VectorXd>& unknowns) {
+                                 const std::vector<Eigen::VectorXd>& unknowns) {
   scene::Displacement<dim> field;
   field.degree = nodes.degree;
   field.vertex.resize(mesh.vertices.size());

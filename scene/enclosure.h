@@ -100,8 +100,8 @@ inline Enclosure& operator-=(Enclosure& x, const Enclosure& y) { return x = x - 
 /// √x for x > 0: |√y − √m| ≤ |y − m| / √m.
 inline Enclosure root(const Enclosure& x) {
   const Real value = std::sqrt(x.middle);
-  return {value, rounding::up(rounding::up(x.radius / (value * (1 - 4 * rounding::half_ulp))) +
-                              rounding::half_ulp * value)};
+  return {value,
+          rounding::up(rounding::up(x.radius / (value * (1 - 4 * rounding::half_ulp))) + rounding::half_ulp * value)};
 }
 
 /// A sum of many terms whose own rounding does not grow with their number.

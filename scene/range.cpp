@@ -13,8 +13,8 @@ void check_size(double value, const std::string& where, const std::string& name)
   const double size = std::abs(value);
   if (size == 0 || (smallest_size <= size && size <= largest_size)) return;
   fail(Status::input, where,
-       fmt::format("{} must be 0 or of a size between {:g} and {:g}, is {:g}", name, smallest_size,
-                   largest_size, value));
+       fmt::format("{} must be 0 or of a size between {:g} and {:g}, is {:g}", name, smallest_size, largest_size,
+                   value));
 }
 
 }  // namespace bracket::scene

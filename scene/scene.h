@@ -54,7 +54,7 @@ struct Refine {
 };
 
 struct Solve {
-  int degree = 2;  ///< of the displacements, 1 or 2
+  int degree = 2;               ///< of the displacements, 1 or 2
   std::string dual = "hybrid";  ///< or "uzawa"
 };
 

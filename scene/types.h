@@ -11,7 +11,7 @@ namespace bracket::scene {
 
 /// A point, displacement, force or traction, in the units of the scene.
 template <int dim> using Vector = Eigen::Matrix<double, dim, 1>;
-template <int dim> inline constexpr int n_voigt = dim * (dim + 1) / 2;
+template <int dim> inline constexpr int n_voigt = dim*(dim + 1) / 2;
 /// A stress (s11, s22, s12) or a strain (e11, e22, 2 e12).
 template <int dim> using Voigt = Eigen::Matrix<double, n_voigt<dim>, 1>;
 /// A stiffness (stress by strain) or a compliance (strain by stress) in the notation of `Voigt`.

@@ -5,12 +5,16 @@
 #   asan     Debug with the address and undefined-behaviour sanitizers: assert, the assertions of the standard library
 #            and those of deal.II, whose debug library it links; all tests but those of the program
 # The preset debug is asan without sanitizers, for debuggers: it checks nothing more and is not run here.
-# Ends with the count of GoogleTest's cases over both.
+# Before, that every file is formatted. Ends with the count of GoogleTest's cases over both.
 set -eu
 
 project=$(cd "$(dirname "$0")/.." && pwd)
+more_packages=clang-format-14
 . "$project/apps/setup.sh"
 cd "$project"
+
+# First what takes a second: every file is as .clang-format has it.
+find apps bounds contact dual primal scene tests \( -name '*.h' -o -name '*.cpp' \) -exec clang-format-14 --dry-run -Werror {} +
 
 passed=0
 failed=0

@@ -53,7 +53,7 @@ void start_without_threads(int, char** arguments, char** environment) {
   std::free(changed);  // it could not be started: go on
 }
 
-[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char**, char**) =
-    start_without_threads;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)(int, char**,
+                                                                             char**) = start_without_threads;
 
 }  // namespace

@@ -10,9 +10,9 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/report/json.h"
-#include "apps/plots/pictures.h"
 #include "apps/commands/progress.h"
+#include "apps/plots/pictures.h"
+#include "apps/report/json.h"
 
 namespace bracket::apps {
 namespace {

@@ -10,9 +10,9 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
 #include "apps/commands/interrupt.h"
-#include "apps/plots/pictures.h"
 #include "apps/commands/progress.h"
 #include "apps/commands/say.h"
+#include "apps/plots/pictures.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "dual/block_theory.h"
 #include "apps/report/samples.h"
+#include "dual/block_theory.h"
 
 namespace bracket::apps {
 

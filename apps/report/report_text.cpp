@@ -45,10 +45,10 @@ std::string seconds_table(const Report& report) {
   for (const char* name : phase_names) text += fmt::format("{:>10}", name);
   text += fmt::format("{:>10}\n  displacements {:>10.2f}{:>10.2f}\n  stresses      {:>10.2f}{:>10.2f}\n", "all",
                       fmt::join(sum.primal_phases, ""), sum.primal, fmt::join(sum.dual_phases, ""), sum.dual);
-  return text +
-         fmt::format("  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, "
-                     "pictures {:.2f}\n",
-                     report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
+  return text + fmt::format(
+                    "  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, "
+                    "pictures {:.2f}\n",
+                    report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
 }
 
 // What one pair transmits: its resultant, largest pressure and the length of the edges that carry it.
@@ -108,8 +108,8 @@ std::string data_text(const Report& report) {
   if (std::max({data.traction, data.displacement, data.gap}) < rounding)
     return "\nData: the given functions are carried exactly.\n" + changed;
   return fmt::format(
-             "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of "
-             "their\n"
+             "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} "
+             "of their\n"
              "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
              data.traction, data.displacement, data.gap, last.oscillation_energy) +
          changed;

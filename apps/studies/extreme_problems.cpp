@@ -248,8 +248,7 @@ Loading loading(const Problem<2>& problem) {
     const auto load = scene::load(problem, facet);
     const auto x = ends(facet);
     for (int i = 0; i < 2; ++i)  // linear times linear: moments of the hat functions
-      result.moment +=
-          (2 * load[i] + load[1 - i]).dot(result.mean) / 6 * (x[i] - result.centre).dot(result.reach);
+      result.moment += (2 * load[i] + load[1 - i]).dot(result.mean) / 6 * (x[i] - result.centre).dot(result.reach);
   }
   return result;
 }

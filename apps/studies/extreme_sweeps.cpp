@@ -33,15 +33,20 @@ std::vector<Sweep> of_units(const Problem<2>& benign) {
 }
 
 std::vector<Sweep> of_materials(const scene::Scene<2>& scene, const Problem<2>& benign) {
-  Sweep ratio{"modulus ratio", powers(10, -12, 12, 3),
-              [benign](double factor) { return with_moduli_times(benign, 0, factor); }, {}, ""};
+  Sweep ratio{"modulus ratio",
+              powers(10, -12, 12, 3),
+              [benign](double factor) { return with_moduli_times(benign, 0, factor); },
+              {},
+              ""};
   if (benign.bodies.size() == 1) ratio.left_out = "the scene has one body";
-  Sweep volume{"1/2 - nu", powers(10, -1, -8, -1), [benign](double left) { return with_poisson(benign, 0.5 - left); },
-               {}, ""};
+  Sweep volume{
+      "1/2 - nu", powers(10, -1, -8, -1), [benign](double left) { return with_poisson(benign, 0.5 - left); }, {}, ""};
   const bool isotropic =
       std::ranges::any_of(benign.bodies, [](const auto& body) { return body.isotropic.has_value(); });
-  if (scene.plane == "stress") volume.left_out = "in plane stress nothing becomes stiff as nu approaches 1/2";
-  else if (!isotropic) volume.left_out = "no body is isotropic";
+  if (scene.plane == "stress")
+    volume.left_out = "in plane stress nothing becomes stiff as nu approaches 1/2";
+  else if (!isotropic)
+    volume.left_out = "no body is isotropic";
   return {ratio, volume};
 }
 
@@ -53,16 +58,22 @@ std::vector<Sweep> of_shapes(const scene::Scene<2>& scene, const Problem<2>& ben
            },
            same, ""},
           {"needles", powers(10, -1, -6, -1),
-           [benign](double side) { return with_cells_cut(benign, {1 - side, side / 2, side / 2}); }, same, ""},
+           [benign](double side) {
+             return with_cells_cut(benign, {1 - side, side / 2, side / 2});
+           },
+           same, ""},
           {"thin bodies", powers(10, 0, -4, -1), [scene](double factor) { return flattened(scene, factor); }, {}, ""}};
 }
 
 Sweep of_contact_end(const Problem<2>& benign) {
   Sweep sweep{"contact end", powers(10, -1, -8, -1), {}, {}, ""};
   const auto end = contact_end(benign);
-  if (benign.contact.empty()) sweep.left_out = "the scene has no contact";
-  else if (!end) sweep.left_out = "the contact lines close on themselves";
-  else sweep.make = [benign, where = *end](double distance) { return with_end_freed(benign, where, distance); };
+  if (benign.contact.empty())
+    sweep.left_out = "the scene has no contact";
+  else if (!end)
+    sweep.left_out = "the contact lines close on themselves";
+  else
+    sweep.make = [benign, where = *end](double distance) { return with_end_freed(benign, where, distance); };
   return sweep;
 }
 
@@ -93,7 +104,8 @@ std::optional<double> edge_of_solvability(const std::function<Problem<2>(double)
 Sweep towards_edge(const std::string& name, const std::function<Problem<2>(double)>& changed, int degree) {
   Sweep sweep{name, powers(10, -1, -8, -1), {}, {}, ""};
   const auto edge = edge_of_solvability(changed, degree);
-  if (!edge) sweep.left_out = "supports and contact hold however large the change of the loads is";
+  if (!edge)
+    sweep.left_out = "supports and contact hold however large the change of the loads is";
   else
     sweep.make = [changed, s = *edge](double distance) {
       return with_ends_refined(changed((1 - distance) * s), static_cast<int>(std::ceil(std::log2(1 / distance))));
@@ -103,8 +115,8 @@ Sweep towards_edge(const std::string& name, const std::function<Problem<2>(doubl
 
 /// Where the contact begins to open as s grows from 0, which all of it being closed is linear in s; none if part of it
 /// is open or it is pressed the more.
-std::optional<double> edge_of_contact(const scene::Scene<2>& settings,
-                                      const std::function<Problem<2>(double)>& changed, double step) {
+std::optional<double> edge_of_contact(const scene::Scene<2>& settings, const std::function<Problem<2>(double)>& changed,
+                                      double step) {
   std::vector<std::vector<bounds::ContactState>> states;
   for (const double s : {0.0, step}) {
     const bounds::Outcome<2> outcome = bounds::run(settings, changed(s));
@@ -145,8 +157,10 @@ std::vector<Sweep> of_loads(const scene::Scene<2>& scene, const Problem<2>& beni
   settings.refine = {};
   Sweep open{names[0], powers(10, -1, -8, -1), {}, {}, ""};
   const auto edge = edge_of_contact(settings, tilted, 1e-3);
-  if (!edge) open.left_out = "part of the contact is open, or tilting the loads does not open it";
-  else open.make = [tilted, s = *edge](double distance) { return tilted((1 - distance) * s); };
+  if (!edge)
+    open.left_out = "part of the contact is open, or tilting the loads does not open it";
+  else
+    open.make = [tilted, s = *edge](double distance) { return tilted((1 - distance) * s); };
   const int degree = scene.solve.degree;
   return {open, towards_edge(names[1], tilted, degree), towards_edge(names[2], weakened, degree)};
 }

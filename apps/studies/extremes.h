@@ -32,8 +32,8 @@ struct Extreme {
   std::string sweep;
   double parameter;
   scene::Status status = scene::Status::done;
-  std::string reason = "";                   ///< if there is no interval: one line
-  std::optional<Interval> interval = {};     ///< of L(u)
+  std::string reason = "";                ///< if there is no interval: one line
+  std::optional<Interval> interval = {};  ///< of L(u)
   /// An interval known to hold L(u) as well: that of the benign scene times the factor of the change or, where the
   /// problem is another, its own on the mesh with all edges halved.
   std::optional<Interval> reference = {};

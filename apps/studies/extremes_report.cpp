@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/studies/extremes.h"
+#include "apps/plots/pictures.h"
 #include "apps/report/json.h"
 #include "apps/report/numbers.h"
-#include "apps/plots/pictures.h"
+#include "apps/studies/extremes.h"
 
 namespace bracket::apps {
 namespace {
@@ -33,7 +33,8 @@ std::string line(const Extremes& extremes, const Extreme& row, const std::vector
   if (row.interval)
     text += fmt::format("{:>25.16g}{:>25.16g}{:>10}", row.interval->lower, row.interval->upper,
                         rounded_up_exponent(row.interval->relative_width()));
-  else text += fmt::format("{:>25}{:>25}{:>10}", "-", "-", "-");
+  else
+    text += fmt::format("{:>25}{:>25}{:>10}", "-", "-", "-");
   text += fmt::format("{:>10}{:>10}{:>9.3f}{:>7}", verdict(row), ratio ? fmt::format("{:.2g}", *ratio) : "-",
                       row.seconds, static_cast<int>(row.status));
   const auto reason = std::ranges::find(reasons, row.reason);
@@ -74,10 +75,9 @@ std::string extremes_csv(const Extremes& extremes) {
     };
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", row.sweep, row.parameter,
                         of(row.interval, &Interval::lower), of(row.interval, &Interval::upper),
-                        row.interval ? number(row.interval->relative_width()) : "",
-                        of(row.reference, &Interval::lower), of(row.reference, &Interval::upper),
-                        row.reference ? verdict(row) : "", number(widening(extremes, row)), row.seconds,
-                        static_cast<int>(row.status));
+                        row.interval ? number(row.interval->relative_width()) : "", of(row.reference, &Interval::lower),
+                        of(row.reference, &Interval::upper), row.reference ? verdict(row) : "",
+                        number(widening(extremes, row)), row.seconds, static_cast<int>(row.status));
   }
   return text;
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/plots/pictures.h"
 #include "apps/report/json.h"
 #include "apps/report/numbers.h"
-#include "apps/plots/pictures.h"
 #include "apps/studies/study.h"
 
 namespace bracket::apps {

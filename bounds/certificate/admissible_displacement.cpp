@@ -16,7 +16,8 @@ std::vector<const Vector<2>*> fixed_vertices(const scene::Problem<2>& first) {
   return fixed;
 }
 
-std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const Vector<2>*>& fixed, int facet) {
+std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const Vector<2>*>& fixed,
+                               int facet) {
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const scene::Problem<2>& first = scene::first_of(problem);
   Slide slide{first.facets[of].normal, first.facets[of].normal_displacement, {}, {}, 0};
@@ -83,9 +84,7 @@ Vector<2> way(const VertexSupport& support, const Vector<2>& d) {
 }
 
 /// By how much the facet penetrates at most; 0: with certainty not at all.
-double excess(const Enclosure& penetration) {
-  return certainly_non_negative(-penetration) ? 0 : upper(penetration);
-}
+double excess(const Enclosure& penetration) { return certainly_non_negative(-penetration) ? 0 : upper(penetration); }
 
 /// By how much to move what is now at u: a little more than what is missing, and not lost in rounding.
 double step(double missing, const Vector<2>& u) {
@@ -140,8 +139,9 @@ AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::
                   : make_way_between(problem, supports, field, pair, missing))
           continue;
         const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k % 2]];
-        return {{}, fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
-                                at[1], missing)};
+        return {{},
+                fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
+                            at[1], missing)};
       }
     if (settled) return {std::move(field), ""};
   }

@@ -29,8 +29,8 @@ struct Slide {
 template <class Number> Number value(const Slide& slide) {
   std::array<Number, 2> end;
   for (int i = 0; i < 2; ++i)
-    end[i] = slide.fixed[i] ? dot(plane<Number>(slide.displacement[i]), plane<Number>(slide.normal))
-                            : Number(slide.end[i]);
+    end[i] =
+        slide.fixed[i] ? dot(plane<Number>(slide.displacement[i]), plane<Number>(slide.normal)) : Number(slide.end[i]);
   return between_ends(end[0], end[1], slide.t);
 }
 
@@ -108,12 +108,13 @@ Number approach(const std::vector<VertexSupport>& supports, const PlainField& fi
   const auto along = [&](int vertex) { return component<Number>(supports[vertex], field.vertex[vertex], d); };
   if (second < 0) return along(first);
   if (supports[first].slides > 0 || supports[second].slides > 0) return along(first) - along(second);
-  const Plane<Number> moved = shift<Number>(supports[first], field.vertex[first]) -
-                              shift<Number>(supports[second], field.vertex[second]);
+  const Plane<Number> moved =
+      shift<Number>(supports[first], field.vertex[first]) - shift<Number>(supports[second], field.vertex[second]);
   return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, plane<Number>(d));
 }
 
-/// r − g of one contact facet, g the lower gap, as Bernstein coefficients: at its vertices 0 and 1 and in the middle. In K all are ≤ 0.
+/// r − g of one contact facet, g the lower gap, as Bernstein coefficients: at its vertices 0 and 1 and in the middle.
+/// In K all are ≤ 0.
 template <class Number>
 std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                   const PlainField& field, const scene::ContactFacet& pair) {
@@ -128,8 +129,7 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
   Number bubble(0);
   if (!field.bubble.empty()) {
     bubble += dot(plane<Number>(field.bubble[first.edge]), plane<Number>(d));
-    if (pair.second >= 0)
-      bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
+    if (pair.second >= 0) bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
   }
   r[2] = (r[0] + r[1]) / Number(2) + Number(2) * bubble - Number(pair.lower[1]);
   r[0] -= Number(pair.lower[0]);

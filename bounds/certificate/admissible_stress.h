@@ -16,8 +16,8 @@ namespace bracket::bounds {
 /// On Γ_τ, where the data say what they are, they are left out.
 struct PlainLoads {
   std::vector<std::array<scene::Vector<2>, 2>> edge;  ///< at a and b; zero on Γ_τ, Γ_0 and Γ_K
-  std::vector<std::array<double, 2>> along_normal;    ///< of each facet at its vertices 0 and 1: Γ_0: along the outward
-                                                      ///< normal; Γ_K, first sides only: the pressure, ≥ 0
+  std::vector<std::array<double, 2>> along_normal;  ///< of each facet at its vertices 0 and 1: Γ_0: along the outward
+                                                    ///< normal; Γ_K, first sides only: the pressure, ≥ 0
 };
 PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
 
@@ -119,8 +119,7 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number>
   const bool has_force = !force.isZero(0);
   if (has_force) {
     const Plane<Number> centroid = (Number(1) / Number(3)) * (block.x[0] + block.x[1] + block.x[2]);
-    for (int i = 0; i < 3; ++i)
-      carried[i] = {f.x * (centroid.x - block.x[i].x), f.y * (centroid.y - block.x[i].y)};
+    for (int i = 0; i < 3; ++i) carried[i] = {f.x * (centroid.x - block.x[i].x), f.y * (centroid.y - block.x[i].y)};
     for (int i = 0; i < 3; ++i) {
       const Plane<Number> e = block.x[(i + 1) % 3] - block.x[i];  // n ds = (e_y, −e_x)
       for (int end = 0; end < 2; ++end) {

@@ -1,10 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/certificate/certificate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <future>
 
 #include "bounds/certificate/arithmetic.h"
-#include "bounds/certificate/certificate.h"
 #include "bounds/certificate/equilibrate.h"
 #include "bounds/certificate/problem_faults.h"
 
@@ -62,7 +63,8 @@ Certificate certify(const scene::Problem<dim>& problem, const scene::Displacemen
   if (std::string fault = field_fault(problem, displacement, stress); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(problem);
   if (!unbalanced.empty()) return {.reason = unbalanced};
-  auto other = std::async(std::launch::async, [&, &added = corrections] { return from_stress(problem, added, stress); });
+  auto other =
+      std::async(std::launch::async, [&, &added = corrections] { return from_stress(problem, added, stress); });
   const Side above = from_displacement(problem, corrections, displacement);
   const Side below = other.get();
 

@@ -8,8 +8,8 @@ namespace bracket::bounds {
 /// The elastic energy of strain, ½ εᵀCε, and of stress, ½ σᵀC⁻¹σ, from one factor C = L D Lᵀ (L with a unit diagonal):
 /// sums of squares, which do not cancel. Isotropic: from E and ν themselves, so that neither form suffers as ν → ½.
 template <class Number> struct ElasticForm {
-  std::array<Number, 3> d;     ///< > 0
-  std::array<Number, 3> l;     ///< L(1,0), L(2,0), L(2,1)
+  std::array<Number, 3> d;  ///< > 0
+  std::array<Number, 3> l;  ///< L(1,0), L(2,0), L(2,1)
 
   /// \param e xx, yy and twice xy
   Number strain_energy(const std::array<Number, 3>& e) const {

@@ -45,8 +45,8 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vec
 /// Takes all pressures off the pairs of which one that is not zero is barred. \return false where there are none
 bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads);
 
-/// Whether the corrections among the reactions are zero exactly once the loads carry their own corrections: there are as
-/// many as motions on which no support and no pair that carries acts, and on none of these acts a pair that the
+/// Whether the corrections among the reactions are zero exactly once the loads carry their own corrections: there are
+/// as many as motions on which no support and no pair that carries acts, and on none of these acts a pair that the
 /// corrections counted on. Then each such motion gains nothing from the loads and meets the corrections alone.
 bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
                         const std::vector<char>& carrying);
@@ -80,8 +80,8 @@ template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& prob
 
 /// Resultant of a facet's load on its body.
 template <class Number>
-Resultant<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references,
-                                  int facet, const SideLoad<Number>& load) {
+Resultant<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references, int facet,
+                                  const SideLoad<Number>& load) {
   const auto& reference = references[problem.mesh.cell_body[problem.mesh.boundary[facet].cell]];
   return resultant(load, arm<Number>(problem, reference.point, facet), along<Number>(problem, facet));
 }
@@ -127,8 +127,8 @@ std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<R
   };
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& facet = mesh.boundary[f];
-    add(mesh.cell_body[facet.cell], facet_resultant(problem, references, static_cast<int>(f),
-                                                    oriented(loads.edge[facet.edge], forward(facet))));
+    add(mesh.cell_body[facet.cell],
+        facet_resultant(problem, references, static_cast<int>(f), oriented(loads.edge[facet.edge], forward(facet))));
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int body = mesh.cell_body[c];
@@ -191,8 +191,8 @@ template <class Number> struct Corrections {
   std::string reason;  ///< if they cannot be had: one line
 };
 
-/// The corrections of the first mesh's loads by their true amounts, of those that are on Γ_τ (others are zero): those with which the loads are in balance along all
-/// motions on which neither supports nor the pairs that carry act at all.
+/// The corrections of the first mesh's loads by their true amounts, of those that are on Γ_τ (others are zero): those
+/// with which the loads are in balance along all motions on which neither supports nor the pairs that carry act at all.
 template <class Number, class Sum> Corrections<Number> corrected(const scene::Problem<2>& problem) {
   const scene::Problem<2>& first = scene::first_of(problem);
   if (first.corrections.empty()) return {};
@@ -231,7 +231,7 @@ std::optional<Reaction> in_tension(const EdgeLoads<Number>& loads, const std::ve
 /// to its parent, through their common edge; the root lacks nothing.
 template <class Number>
 EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<Reference>& about,
-                        const EdgeLoads<Number>& loads) {
+                            const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again
   // from the loads that carry it, its enclosure would grow from cell to cell.

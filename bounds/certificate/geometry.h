@@ -34,8 +34,7 @@ template <class Number> std::array<Plane<Number>, 3> corners(const scene::Proble
   }
   const auto& [whole, corner] = problem.origin.cells[cell];
   const auto [e, f] = of(whole);
-  for (int i = 1; i < 3; ++i)
-    x[i] = Number(corner[i][0] - corner[0][0]) * e + Number(corner[i][1] - corner[0][1]) * f;
+  for (int i = 1; i < 3; ++i) x[i] = Number(corner[i][0] - corner[0][0]) * e + Number(corner[i][1] - corner[0][1]) * f;
   return x;
 }
 
@@ -59,8 +58,7 @@ template <class Number> Plane<Number> along(const scene::Problem<2>& problem, in
 }
 
 /// Vertex 0 of a facet as seen from a point.
-template <class Number>
-Plane<Number> arm(const scene::Problem<2>& problem, const scene::Vector<2>& from, int facet) {
+template <class Number> Plane<Number> arm(const scene::Problem<2>& problem, const scene::Vector<2>& from, int facet) {
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const scene::Mesh<2>& first = scene::first_of(problem).mesh;
   const Plane<Number> begin = between<Number>(from, first.vertices[first.boundary[of].vertices[0]]);

@@ -32,7 +32,8 @@ std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char
   std::set<Link> links;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int body = body_of(static_cast<int>(f));
-    if (problem.facets[f].support == scene::Support::sliding) links.insert(link(body, ground, problem.facets[f].normal));
+    if (problem.facets[f].support == scene::Support::sliding)
+      links.insert(link(body, ground, problem.facets[f].normal));
     if (problem.facets[f].support != scene::Support::fixed) continue;
     for (int c = 0; c < 2; ++c) links.insert(link(body, ground, scene::Vector<2>::Unit(c)));
   }

@@ -12,9 +12,7 @@ namespace bracket::bounds {
 using scene::Enclosure;
 using scene::LongSum;
 
-template <class Number> struct Plane {
-  Number x = Number(0), y = Number(0);
-};
+template <class Number> struct Plane { Number x = Number(0), y = Number(0); };
 
 template <class Number> Plane<Number> plane(const scene::Vector<2>& v) { return {Number(v[0]), Number(v[1])}; }
 /// The vector from a to b: exact, or with the rounding of one subtraction.

@@ -91,9 +91,12 @@ std::string topology_fault(const Problem<2>& problem) {
       const std::array<int, 2> walked = {mesh.cells[c][(k + 1) % 3], mesh.cells[c][(k + 2) % 3]};
       const std::array<int, 2>& edge = mesh.edges[mesh.cell_edges[c][k]];
       Walks& so_far = walks[mesh.cell_edges[c][k]];
-      if (walked == edge) ++so_far.up;
-      else if (walked[0] == edge[1] && walked[1] == edge[0]) ++so_far.down;
-      else return fmt::format("edge {} of cell {} does not join its corners", k, c);
+      if (walked == edge)
+        ++so_far.up;
+      else if (walked[0] == edge[1] && walked[1] == edge[0])
+        ++so_far.down;
+      else
+        return fmt::format("edge {} of cell {} does not join its corners", k, c);
       if (so_far.up > 1 || so_far.down > 1)
         return fmt::format("more than one cell lies on one side of the edge of cell {}", c);
       if (so_far.body >= 0 && so_far.body != mesh.cell_body[c]) return "two bodies share an edge";
@@ -200,8 +203,7 @@ bool coincide(const Problem<2>& problem, const scene::ContactFacet& pair) {
 std::string contact_fault(const Problem<2>& problem) {
   const Problem<2>& first = scene::first_of(problem);
   std::vector<int> contact_of_facet(first.facets.size(), -1);
-  for (std::size_t i = 0; i < first.contact.size(); ++i)
-    contact_of_facet[first.contact[i].first] = static_cast<int>(i);
+  for (std::size_t i = 0; i < first.contact.size(); ++i) contact_of_facet[first.contact[i].first] = static_cast<int>(i);
   std::vector<char> taken(problem.facets.size(), 0);
   for (const auto& pair : problem.contact) {
     const std::string name = fmt::format("the contact of boundary facet {}", pair.first);

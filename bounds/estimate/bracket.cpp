@@ -122,8 +122,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
   return energy;
 }
 
-template PlainEnergies plain_energies(const scene::Problem<2>&, const scene::Displacement<2>&,
-                                      const scene::Stress<2>&, const Indicator&);
+template PlainEnergies plain_energies(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
+                                      const Indicator&);
 template double oscillation_energy(const scene::Scene<2>&, const scene::Problem<2>&, const scene::Displacement<2>&,
                                    const scene::Stress<2>&);
 

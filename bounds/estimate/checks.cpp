@@ -50,8 +50,10 @@ double penetration(const scene::Problem<dim>& problem, const scene::Displacement
     const auto& d = data.displacement;
     const auto& s = data.normal_displacement;
     for (int i = 0; i < 3; ++i) {
-      if (data.support == Support::fixed) raise(worst, (u[i] - (i < 2 ? d[i] : Vector<dim>((d[0] + d[1]) / 2))).norm());
-      else raise(worst, std::abs(u[i].dot(n) - (i < 2 ? s[i] : (s[0] + s[1]) / 2)));
+      if (data.support == Support::fixed)
+        raise(worst, (u[i] - (i < 2 ? d[i] : Vector<dim>((d[0] + d[1]) / 2))).norm());
+      else
+        raise(worst, std::abs(u[i].dot(n) - (i < 2 ? s[i] : (s[0] + s[1]) / 2)));
     }
   }
   return worst;
@@ -66,8 +68,7 @@ template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh,
 }
 
 /// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
-template <int dim>
-double equilibrium(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress, int cell) {
+template <int dim> double equilibrium(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress, int cell) {
   const auto& mesh = problem.mesh;
   const auto& corners = stress.cell[cell];
   double worst = 0;
@@ -120,7 +121,8 @@ struct BoundaryMisfit {
   double tension = 0;
 };
 
-template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
+template <int dim>
+BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   BoundaryMisfit worst;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -130,8 +132,10 @@ template <int dim> BoundaryMisfit boundary_misfit(const scene::Problem<dim>& pro
     const auto given = scene::load(problem, static_cast<int>(f));
     const double length = scene::length(problem.mesh, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
-      if (data.support == Support::traction) raise(worst.traction, (t[i] - given[i] / length).norm());
-      else raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
+      if (data.support == Support::traction)
+        raise(worst.traction, (t[i] - given[i] / length).norm());
+      else
+        raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
       if (data.support == Support::contact) raise(worst.tension, t[i].dot(n));
     }
   }
@@ -160,9 +164,9 @@ Checks admissibility(const scene::Problem<dim>& problem, const scene::Displaceme
 
 Check Checks::worst() const {
   Check worst{"penetration", penetration};
-  for (const Check& check : {Check{"equilibrium", equilibrium}, Check{"interface jump", interface_jump},
-                             Check{"boundary traction", boundary_traction}, Check{"tension", tension},
-                             Check{"gap identity", gap_identity}})
+  for (const Check& check :
+       {Check{"equilibrium", equilibrium}, Check{"interface jump", interface_jump},
+        Check{"boundary traction", boundary_traction}, Check{"tension", tension}, Check{"gap identity", gap_identity}})
     if (check.value > worst.value || std::isnan(check.value)) worst = check;
   return worst;
 }

@@ -52,8 +52,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
   return {static_cast<double>(strain), static_cast<double>(strain - work)};
 }
 
-template <int dim>
-double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
+template <int dim> double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   Sum energy = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {

@@ -24,8 +24,7 @@ template <int dim>
 PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
 /// S(λ) = ½ ∫ λ : C⁻¹ λ − ∫_Γu λn·u0 − ∫_Γ0 (λn)_n u0n + ∫_ΓK p g
-template <int dim>
-double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress);
+template <int dim> double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress);
 
 struct Check {
   std::string name;
@@ -36,9 +35,9 @@ struct Check {
 /// `tolerance` the certificate has much to make good, and the bracket becomes wide.
 struct Checks {
   static constexpr double tolerance = 1e-8;
-  double penetration = 0;        ///< largest r − g on Γ_K (Bernstein coefficients), misfit of prescribed displacements
-  double equilibrium = 0;        ///< largest |div λ + F| · cell diameter, and traction jumps between a cell's parts
-  double interface_jump = 0;     ///< largest jump of λn between cells, and of the pressure across the contact
+  double penetration = 0;     ///< largest r − g on Γ_K (Bernstein coefficients), misfit of prescribed displacements
+  double equilibrium = 0;     ///< largest |div λ + F| · cell diameter, and traction jumps between a cell's parts
+  double interface_jump = 0;  ///< largest jump of λn between cells, and of the pressure across the contact
   double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K
   double tension = 0;            ///< largest −p on Γ_K
   double gap_identity = 0;       ///< |sum of indicators − width| by the energy
@@ -93,8 +92,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
 
 /// On one contact facet, at the first facet's vertices 0 and 1 (and its midpoint: gap only).
 struct ContactState {
-  std::array<double, 2> pressure;       ///< of λ_h
-  std::array<double, 3> gap_left;       ///< g − r(u_h)
+  std::array<double, 2> pressure;  ///< of λ_h
+  std::array<double, 3> gap_left;  ///< g − r(u_h)
 };
 template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
@@ -102,7 +101,6 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
 
 /// Bulk marking (Dörfler): as few cells as carry `bulk` of the sum of the indicators, a contact facet's share split
 /// between the cells at it. \return 1 per marked cell   \pre 0 < bulk ≤ 1
-template <int dim>
-std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk);
+template <int dim> std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk);
 
 }  // namespace bracket::bounds

@@ -6,8 +6,7 @@
 
 namespace bracket::bounds {
 
-template <int dim>
-std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk) {
+template <int dim> std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk) {
   const auto& mesh = problem.mesh;
   std::vector<double> share = indicator.cell;
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {

@@ -10,8 +10,8 @@ using scene::Vector;
 using scene::Voigt;
 
 template <int dim>
-std::array<Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh,
-                                             const scene::Displacement<dim>& displacement, int cell) {
+std::array<Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
+                                             int cell) {
   const auto& v = mesh.cells[cell];
   const double twice_area = 2 * scene::volume(mesh, cell);
   std::array<Vector<dim>, 3> gradient;  // of the barycentric coordinates

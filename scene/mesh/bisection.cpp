@@ -294,8 +294,7 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
     const int first = problem.contact[i].first, second = problem.contact[i].second;
     const auto add = [&](int one, int other) {
       const Piece<dim - 1>& piece = refined.problem.origin.facets[one];
-      refined.problem.contact.push_back(
-          on_piece(origin.first->contact[contact_of_facet[piece.of]], one, other, piece));
+      refined.problem.contact.push_back(on_piece(origin.first->contact[contact_of_facet[piece.of]], one, other, piece));
       refined.contact_parent.push_back(static_cast<int>(i));
     };
     const int one = first_child[first], other = second == -1 ? -1 : first_child[second];

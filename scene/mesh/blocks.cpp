@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "scene/text.h"
 #include "scene/mesh/topology.h"
+#include "scene/text.h"
 
 namespace bracket::scene {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "scene/mesh/gmsh_file.h"
-#include "scene/text.h"
 #include "scene/mesh/topology.h"
+#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -113,16 +113,15 @@ std::vector<GmshFile::Element<2>> lines_in_groups(const GmshFile& file) {
   return lines;
 }
 
-/// What the digits of a file leave open of its coordinates, by their size: they have as many as the longest of them has.
-/// Fewer than six are not taken for rounding, but for what is meant.
+/// What the digits of a file leave open of its coordinates, by their size: they have as many as the longest of them
+/// has. Fewer than six are not taken for rounding, but for what is meant.
 double rounding_of(const std::vector<Vector<2>>& points) {
   std::size_t digits = 0;
   for (const Vector<2>& x : points)
     for (int c = 0; c < 2; ++c) {
       const std::string text = fmt::format("{:e}", x[c]);  // the shortest that reads back
-      digits = std::max<std::size_t>(digits, std::count_if(text.begin(), text.begin() + text.find('e'), [](char sign) {
-        return sign >= '0' && sign <= '9';
-      }));
+      digits = std::max<std::size_t>(digits, std::count_if(text.begin(), text.begin() + text.find('e'),
+                                                           [](char sign) { return sign >= '0' && sign <= '9'; }));
     }
   if (digits < 6 || digits > 15) return std::numeric_limits<double>::epsilon() / 2;
   return 5 * std::pow(10.0, -static_cast<double>(digits));

@@ -49,8 +49,8 @@ struct Quality {
 };
 template <int dim> Quality quality(const Mesh<dim>& mesh);
 
-template <int dim> double volume(const Mesh<dim>& mesh, int cell);       ///< area of a cell
-template <int dim> double length(const Mesh<dim>& mesh, int facet);      ///< of a boundary facet
-template <int dim> Vector<dim> normal(const Mesh<dim>& mesh, int facet); ///< unit outward normal of a boundary facet
+template <int dim> double volume(const Mesh<dim>& mesh, int cell);        ///< area of a cell
+template <int dim> double length(const Mesh<dim>& mesh, int facet);       ///< of a boundary facet
+template <int dim> Vector<dim> normal(const Mesh<dim>& mesh, int facet);  ///< unit outward normal of a boundary facet
 
 }  // namespace bracket::scene

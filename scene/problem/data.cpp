@@ -6,8 +6,8 @@
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
 #include "scene/problem/projection.h"
-#include "scene/range.h"
 #include "scene/problem/support.h"
+#include "scene/range.h"
 #include "scene/text.h"
 
 namespace bracket::scene {

@@ -96,8 +96,8 @@ Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster, const st
   const auto rank = [&](const std::array<int, 2>& ends) {
     return std::pair((chord(ends).array() == 0).any(), chord(ends).norm());
   };
-  const auto best = std::max_element(lines.begin(), lines.end(),
-                                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto best =
+      std::max_element(lines.begin(), lines.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   const Vector<2> along = chord(*best);
   return Vector<2>(along[1], -along[0]).normalized();
 }

@@ -48,18 +48,16 @@ template <int dim> bool is_loaded(const FacetData<dim>& data);
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
 /// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.
 struct ContactFacet {
-  int pair;                   ///< index into Scene::contact
-  int first;                  ///< index into Mesh::boundary; its FacetData::normal is d
-  int second;                 ///< likewise, its normal is −d; −1: a rigid wall
+  int pair;    ///< index into Scene::contact
+  int first;   ///< index into Mesh::boundary; its FacetData::normal is d
+  int second;  ///< likewise, its normal is −d; −1: a rigid wall
   /// Bernstein coefficients of two quadratics, from vertex 0 of the first facet to its vertex 1, between which the gap
   /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only, where
   /// refinement has cut a parabola, and are equal on the first mesh.
   std::array<double, 3> lower, upper;
 };
 /// The value of a quadratic with these Bernstein coefficients at the middle of its facet.
-inline double at_middle(const std::array<double, 3>& gap) {
-  return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2]));
-}
+inline double at_middle(const std::array<double, 3>& gap) { return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2])); }
 
 /// By how much fixing the data on the mesh moved the given functions: largest difference by largest value.
 struct Oscillation {
@@ -103,16 +101,16 @@ template <int d> Piece<d> whole(int of) {
 /// changes a problem by hand does so on its first mesh.
 template <int dim> struct Problem {
   Mesh<dim> mesh;
-  std::vector<Body<dim>> bodies;           ///< as Mesh::bodies
-  std::vector<FacetData<dim>> facets;      ///< as Mesh::boundary
+  std::vector<Body<dim>> bodies;       ///< as Mesh::bodies
+  std::vector<FacetData<dim>> facets;  ///< as Mesh::boundary
   std::vector<ContactFacet> contact;
   Oscillation oscillation;
-  double length_scale = 1;  ///< diameter of the bounding box
+  double length_scale = 1;                   ///< diameter of the bounding box
   std::vector<Correction<dim>> corrections;  ///< of the first mesh's loads, as long as there are motions that nothing
                                              ///< holds; see bounds::balanced()
-  double imbalance = 0;  ///< the largest of the corrections' resultants by the size of all loads
-  std::vector<char> carries;                 ///< of each contact pair, where there are corrections: whether the loads need
-                                             ///< its pressure
+  double imbalance = 0;                      ///< the largest of the corrections' resultants by the size of all loads
+  std::vector<char> carries;  ///< of each contact pair, where there are corrections: whether the loads need
+                              ///< its pressure
   Origin<dim> origin;
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/toml/expression.h"
 #include "scene/range.h"
 #include "scene/text.h"
+#include "scene/toml/expression.h"
 
 namespace bracket::scene {
 

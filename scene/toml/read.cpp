@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/text.h"
 #include "scene/toml/nodes.h"
 #include "scene/toml/override.h"
-#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -224,8 +224,7 @@ Solve read_solve(const toml::table& entry) {
     solve.degree = integer(*node, "solve.degree", 1);
     if (solve.degree > 2) refuse(*node, fmt::format("solve.degree must be 1 or 2, is {}", solve.degree));
   }
-  if (const toml::node* node = entry.get("dual"))
-    solve.dual = read_choice(*node, "solve.dual", {"hybrid", "uzawa"});
+  if (const toml::node* node = entry.get("dual")) solve.dual = read_choice(*node, "solve.dual", {"hybrid", "uzawa"});
   return solve;
 }
 

@@ -43,8 +43,10 @@ std::size_t foreign_character(std::string_view text) {
 toml::source_position position(std::string_view text, std::size_t place) {
   toml::source_position result{1, 1};
   for (const char c : text.substr(0, place)) {
-    if (c == '\n') result = {result.line + 1, 1};
-    else if (begins_character(c)) ++result.column;
+    if (c == '\n')
+      result = {result.line + 1, 1};
+    else if (begins_character(c))
+      ++result.column;
   }
   return result;
 }

@@ -35,9 +35,9 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-const std::set<std::string> names = {"unit of length", "unit of force",        "load",           "modulus ratio",
-                                     "1/2 - nu",       "flat cells",           "needles",        "thin bodies",
-                                     "contact end",    "resultant to the end", "resultant to zero", "lift-off"};
+const std::set<std::string> names = {
+    "unit of length", "unit of force", "load",        "modulus ratio",        "1/2 - nu",          "flat cells",
+    "needles",        "thin bodies",   "contact end", "resultant to the end", "resultant to zero", "lift-off"};
 
 TEST_F(Extremes, FollowEverySweepOrSayWhyNot) {
   const Ended ended = shell("bracket extremes scene.toml");

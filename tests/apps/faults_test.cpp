@@ -59,15 +59,18 @@ TEST_F(Faults, WhereTheMemoryDoesNotSufficeForAnyLevelTheStatusIs6) {
 TEST_F(Faults, AnyLimitOfTheAddressSpaceIsMetAtOnce) {
   bool starts = false;
   for (int limit = 350000; limit <= 950000; limit += 150000) {
-    const std::string within = "ulimit -c 0; ulimit -v " + std::to_string(limit) + "; timeout -s KILL 60 '" +
-                               BRACKET_PROGRAM + "' ";
+    const std::string within =
+        "ulimit -c 0; ulimit -v " + std::to_string(limit) + "; timeout -s KILL 60 '" + BRACKET_PROGRAM + "' ";
     const bool started = shell(within + "--version").status == 0;
     EXPECT_TRUE(started || !starts) << limit;
     starts = started;
     const Ended ended = shell(within + "run scene.toml --no-report");
-    if (!starts) EXPECT_NE(ended.status, 0) << limit;
-    else if (ended.status == 0) expect_interval(ended, 0);
-    else expect_refused(ended, 6, "did not suffice for ");
+    if (!starts)
+      EXPECT_NE(ended.status, 0) << limit;
+    else if (ended.status == 0)
+      expect_interval(ended, 0);
+    else
+      expect_refused(ended, 6, "did not suffice for ");
   }
   EXPECT_TRUE(starts);
 }
@@ -133,8 +136,9 @@ TEST_F(Faults, StandardOutputIsNeeded) {
 }
 
 TEST_F(Faults, ADiskThatIsFullAfterTheFirstLevelLeavesTheReport) {
-  const std::string run = "; bracket run scene.toml --set refine.strategy=adaptive --set refine.max_levels=2"
-                          " --set refine.target=1e-9";
+  const std::string run =
+      "; bracket run scene.toml --set refine.strategy=adaptive --set refine.max_levels=2"
+      " --set refine.target=1e-9";
   // In blocks of 512 bytes: the fields of the first level fit, and here those of the second do not, there the report
   // with its pictures.
   for (const auto& [blocks, missing] : {std::pair("90", "solution_1.vtu"), std::pair("110", "report.html")}) {

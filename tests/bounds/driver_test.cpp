@@ -150,10 +150,10 @@ scene::Scene<2> unloaded(double gap) {
 TEST(Driver, scenes_without_energy_have_no_width_but_for_rounding_of_what_moves_them) {
   std::vector<scene::Scene<2>> scenes = {unloaded(0), unloaded(0.1), unloaded(-0.1)};
   scenes.push_back(unloaded(0));  // carried away and turned
-  scenes.back().boundary["lower.bottom"] = {tests::ConditionKind::fixed,
-                                            {[](const auto& x) { return 0.1 - 0.01 * x[1]; },
-                                             [](const auto& x) { return 0.3 + 0.01 * x[0]; }},
-                                            ""};
+  scenes.back().boundary["lower.bottom"] = {
+      tests::ConditionKind::fixed,
+      {[](const auto& x) { return 0.1 - 0.01 * x[1]; }, [](const auto& x) { return 0.3 + 0.01 * x[0]; }},
+      ""};
   scenes.push_back(unloaded(0));  // a box of walls
   scenes.back().contact.clear();
   for (const char* side : {"upper.left", "upper.right", "upper.top", "upper.bottom"})

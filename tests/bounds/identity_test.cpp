@@ -16,7 +16,7 @@ using scene::Vector;
 
 /// Adds noise where nothing is prescribed.
 scene::Displacement<2> disturbed(const scene::Problem<2>& problem, scene::Displacement<2> u, double size,
-                                  unsigned seed) {
+                                 unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> noise(-size, size);
   std::vector<char> keep_vertex(u.vertex.size(), 0), keep_edge(u.edge.size(), 0);

@@ -56,9 +56,7 @@ TEST(OneProblem, holds_the_exact_energy_on_every_level) {
       expect_exact_energy_inside(common, common == 0 ? strain : strain * common, 5);
 }
 
-TEST(OneProblem, holds_the_exact_energy_however_fine) {
-  expect_exact_energy_inside(1, 1e-7, 7);
-}
+TEST(OneProblem, holds_the_exact_energy_however_fine) { expect_exact_energy_inside(1, 1e-7, 7); }
 
 // A thin strip, turned and far away: midpoints of its vertices are rounded by much of its thickness.
 TEST(OneProblem, of_a_strip_far_away_has_levels_that_share_a_point) {
@@ -67,7 +65,8 @@ TEST(OneProblem, of_a_strip_far_away_has_levels_that_share_a_point) {
       scene::Scene<2> s;
       s.blocks = {tests::block("b", 0, 1, 0, 0.01, 20, 1)};
       s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
-      s.boundary = {{"b.left", tests::fixed(0, 0)}, {"b.right", tests::traction(tests::constant(1), tests::constant(0))}};
+      s.boundary = {{"b.left", tests::fixed(0, 0)},
+                    {"b.right", tests::traction(tests::constant(1), tests::constant(0))}};
       s.solve.degree = degree;
       s.refine = {.strategy = "uniform", .max_levels = 4};
       auto mesh = scene::build_mesh(s);

@@ -113,14 +113,14 @@ TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it
       const auto& [p, gap] = states[j];
       const double length = std::abs(x1 - x0);
       by_exact += length * integral([&](double s) {
-        const double x = (1 - s) * x0 + s * x1, left = (1 - s) * (1 - 2 * s) * gap[0] + s * (2 * s - 1) * gap[1] +
-                                                       4 * s * (1 - s) * gap[2];
-        return x < 0 ? std::sqrt(-x) * left : 0;
-      });
+                    const double x = (1 - s) * x0 + s * x1, left = (1 - s) * (1 - 2 * s) * gap[0] +
+                                                                   s * (2 * s - 1) * gap[1] + 4 * s * (1 - s) * gap[2];
+                    return x < 0 ? std::sqrt(-x) * left : 0;
+                  });
       by_computed += length * integral([&](double s) {
-        const double x = (1 - s) * x0 + s * x1;
-        return x > 0 ? ((1 - s) * p[0] + s * p[1]) * 4 * (1 - 0.09) / 3 * x * std::sqrt(x) : 0;
-      });
+                       const double x = (1 - s) * x0 + s * x1;
+                       return x > 0 ? ((1 - s) * p[0] + s * p[1]) * 4 * (1 - 0.09) / 3 * x * std::sqrt(x) : 0;
+                     });
     }
     const double u = 2 * (level.bracket.upper - exact - by_exact), s = 2 * (exact - level.bracket.lower - by_computed);
     const double bound = level.bracket.error_bound;

@@ -10,8 +10,8 @@ namespace {
 using scene::Vector;
 
 scene::Scene<2> example(int number, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene<2>(
-      std::filesystem::path(BRACKET_SCENES) / ("example_" + std::to_string(number) + ".toml"), overrides);
+  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / ("example_" + std::to_string(number) + ".toml"),
+                              overrides);
 }
 
 /// The force of the stresses' pressure.
@@ -32,7 +32,7 @@ double largest_pressure(const bounds::Outcome<2>& outcome) {
 }
 
 TEST(Paper, contact_carries_what_the_free_motion_leaves_of_the_loads) {  // (2.1), (2.3), (2.6)
-  const double n1 = 2 / std::sqrt(5.0);  // of the inclined line of Example 2
+  const double n1 = 2 / std::sqrt(5.0);                                  // of the inclined line of Example 2
   const std::array<double, 3> force = {0.1, 0.1 / n1, 0.1};
   for (int i = 1; i <= 3; ++i) {
     const auto outcome = bounds::run(example(i));
@@ -96,7 +96,7 @@ TEST(Paper, a_resultant_through_the_end_of_the_contact_has_no_pressure_on_any_me
 }
 
 scene::Displacement<2> moved(const scene::Problem<2>& problem, scene::Displacement<2> displacement,
-                              const std::string& body, const Vector<2>& by) {
+                             const std::string& body, const Vector<2>& by) {
   std::vector<char> vertex(problem.mesh.vertices.size(), 0), edge(problem.mesh.edges.size(), 0);
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
     if (problem.mesh.bodies[problem.mesh.cell_body[c]] != body) continue;
@@ -130,9 +130,9 @@ TEST(Paper, energy_and_pressure_do_not_depend_on_which_displacement_came_out) { 
   for (const double by : {-10.0, -0.3, 0.7, 10.0})
     expect_the_same(floating, moved(floating.problem, floating.displacement, "upper", Vector<2>(by, 0)));
   // At its limit the slider may go away from the stop. A load that jumps makes the interval a real one.
-  const auto slider = bounds::run(example(1, {"refine.strategy=none", "refine.target=0",
-                                              "boundary.slider.left.pressure=0",
-                                              "boundary.slider.top.traction=[\"0\", \"x < 0.5 ? 0 : -0.2\"]"}));
+  const auto slider =
+      bounds::run(example(1, {"refine.strategy=none", "refine.target=0", "boundary.slider.left.pressure=0",
+                              "boundary.slider.top.traction=[\"0\", \"x < 0.5 ? 0 : -0.2\"]"}));
   for (const double by : {-10.0, -0.3})
     expect_the_same(slider, moved(slider.problem, slider.displacement, "slider", Vector<2>(by, 0)));
 }

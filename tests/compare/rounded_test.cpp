@@ -58,8 +58,10 @@ scene::Scene<2> placed(scene::Scene<2> scene, const Place& place, const scene::t
   scene.mesh_file = folder.write("placed.msh", scene::test::gmsh_2(content));
   for (auto& [name, body] : scene.bodies) body.force = place.turn() * body.force;
   for (auto& [name, condition] : scene.boundary) {
-    if (condition.value.size() == 2) condition.value = place.there(condition.value);
-    else condition.value = {place.there(condition.value[0])};
+    if (condition.value.size() == 2)
+      condition.value = place.there(condition.value);
+    else
+      condition.value = {place.there(condition.value[0])};
   }
   for (auto& pair : scene.contact) pair.gap = place.there(pair.gap);
   return scene;

@@ -1,14 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "bounds/bounds.h"
-#include "bounds/particular.h"
-#include "dual/dual.h"
 #include "dual/uzawa.h"
-#include "primal/primal.h"
-#include "tests/compare/stress_norm.h"
-#include "tests/support/scenes.h"
 
 #include <gtest/gtest.h>
 
+#include "bounds/bounds.h"
+#include "bounds/particular.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
+#include "tests/compare/stress_norm.h"
+#include "tests/support/scenes.h"
 
 namespace bracket::tests {
 namespace {

@@ -1,9 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/active_set.h"
-#include "contact/growing_cholesky.h"
-#include "tests/contact/truss.h"
 
 #include <gtest/gtest.h>
+
+#include "contact/growing_cholesky.h"
+#include "tests/contact/truss.h"
 
 namespace bracket::contact {
 namespace {
@@ -184,8 +185,7 @@ TEST(ActiveSet, RowsThatTouchWithoutPressureStayAsTheyAre) {
   const MatrixXd compliance = rows * rows.transpose();
   VectorXd pressure = random_vector(m, random).cwiseMax(0);
   const VectorXd overlap = compliance * pressure;  // all slacks are zero, a half of the pressures too
-  const Interface problem =
-      scaled({compliance, overlap, overlap.cwiseAbs(), MatrixXd(m, 0), VectorXd(0)}).problem;
+  const Interface problem = scaled({compliance, overlap, overlap.cwiseAbs(), MatrixXd(m, 0), VectorXd(0)}).problem;
   const auto fast = block_active_set(problem, std::vector<char>(m, 1));
   ASSERT_TRUE(fast);
   EXPECT_LE(fast->iterations, 4);
@@ -201,8 +201,8 @@ TEST(ActiveSet, ScalingMakesUnitsAndModuliVanish) {
   EXPECT_NEAR((plain.problem.motion.transpose() * plain.problem.motion - MatrixXd::Identity(2, 2)).norm(), 0, 50 * eps);
   const VectorXd p = plain.row.cwiseProduct(descend(plain.problem).pressure);
   for (double unit : {1e-24, 1e24}) {
-    const Scaled other = scaled({problem.compliance * unit, problem.overlap * unit, problem.size * unit, problem.motion,
-                                 problem.load});
+    const Scaled other =
+        scaled({problem.compliance * unit, problem.overlap * unit, problem.size * unit, problem.motion, problem.load});
     EXPECT_NEAR((other.row.cwiseProduct(descend(other.problem).pressure) - p).norm(), 0, 1e4 * 10 * eps * p.norm());
   }
 }

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
 #include "contact/contact.h"
 #include "tests/contact/truss.h"
-
-#include <gtest/gtest.h>
 
 namespace bracket::contact {
 namespace {

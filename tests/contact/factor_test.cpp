@@ -1,13 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/factor.h"
-#include "contact/order.h"
-#include "tests/contact/truss.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include <set>
 #include <thread>
+
+#include "contact/order.h"
+#include "tests/contact/truss.h"
 
 namespace bracket::contact {
 namespace {
@@ -55,7 +56,8 @@ Sparse grid_matrix(int side) {
 void handle(int, siginfo_t*, void*) {}
 
 TEST(Order, LeavesSignalHandlersAsTheyWere) {
-  struct sigaction own {}, before, after;
+  struct sigaction own {
+  }, before, after;
   own.sa_sigaction = handle;
   own.sa_flags = SA_SIGINFO | SA_RESTART;
   sigaddset(&own.sa_mask, SIGUSR1);

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/contact/truss.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/contact/truss.h"
 
 namespace bracket::contact {
 namespace {
@@ -40,8 +40,8 @@ Pair random_pair(Index m, bool first_floats, std::mt19937& random) {
   Pair result;
   result.gap = 0.1 * random_vector(m, random);
   // What some p ≥ 0 balances, plus what the truss carries in itself.
-  const VectorXd carried = first.transpose() * random_vector(m, random).cwiseAbs() +
-                           upper.stiffness * random_vector(18, random);
+  const VectorXd carried =
+      first.transpose() * random_vector(m, random).cwiseAbs() + upper.stiffness * random_vector(18, random);
   result.bodies = {first_floats ? floating(upper, carried, first) : supported(upper, random_vector(18, random), first),
                    supported(lower_truss, random_vector(18, random), second)};
   return result;

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/contact/truss.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/contact/truss.h"
 
 namespace bracket::contact {
 namespace {
@@ -88,8 +88,8 @@ TEST(SolveUgly, ABodyWithoutUnknowns) {
   const Truss truss = random_truss(9, random);
   MatrixXd rows = MatrixXd::Zero(1, 18);
   bind(rows, 0, 4, {0, 1});
-  const Body prescribed{Eigen::SparseMatrix<double>(0, 0), {0, 0, 0}, VectorXd(0), Eigen::SparseMatrix<double>(1, 0),
-                        MatrixXd(0, 0)};
+  const Body prescribed{
+      Eigen::SparseMatrix<double>(0, 0), {0, 0, 0}, VectorXd(0), Eigen::SparseMatrix<double>(1, 0), MatrixXd(0, 0)};
   const std::vector<Body> bodies{prescribed, supported(truss, random_vector(18, random), rows)};
   const VectorXd gap = VectorXd::Constant(1, -1);
   const Solution solution = solve(bodies, gap);

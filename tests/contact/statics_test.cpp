@@ -1,8 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/statics.h"
-#include "tests/contact/truss.h"
 
 #include <gtest/gtest.h>
+
+#include "tests/contact/truss.h"
 
 namespace bracket::contact {
 namespace {

@@ -1,9 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact/contact.h"
-
 #include <random>
+
+#include "contact/contact.h"
 
 /// Small plane bodies with known rigid motions: pin-jointed trusses with a bar between any two joints. Joints in
 /// general position make such a truss rigid, so that its kernel is exactly the three rigid motions.
@@ -88,10 +88,10 @@ inline void bind(MatrixXd& rows, Index row, Index joint, const Eigen::Vector2d& 
 
 /// What the solution of a problem must satisfy, each by the size of the terms that it is a sum of.
 struct Kkt {
-  double equilibrium = 0;       ///< K u + Bᵀp − f, of the strain-producing part of u
-  double rigid = 0;             ///< Rᵀ(f − Bᵀp)
-  double penetration = 0;       ///< max(r − g), by the largest part of an r or g
-  double complementarity = 0;   ///< p (g − r)
+  double equilibrium = 0;      ///< K u + Bᵀp − f, of the strain-producing part of u
+  double rigid = 0;            ///< Rᵀ(f − Bᵀp)
+  double penetration = 0;      ///< max(r − g), by the largest part of an r or g
+  double complementarity = 0;  ///< p (g − r)
   double least_pressure = 0;
 };
 
@@ -122,8 +122,8 @@ inline Kkt kkt(const std::vector<Body>& bodies, const VectorXd& gap, const Solut
   result.least_pressure = solution.pressure.minCoeff();
   if (size_of_approach > 0) result.penetration = (approach - gap).maxCoeff() / size_of_approach;
   if (size_of_approach * size_of_pressure > 0)
-    result.complementarity = largest(solution.pressure.cwiseProduct(gap - approach)) /
-                             (size_of_approach * size_of_pressure);
+    result.complementarity =
+        largest(solution.pressure.cwiseProduct(gap - approach)) / (size_of_approach * size_of_pressure);
   return result;
 }
 

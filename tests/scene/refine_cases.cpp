@@ -30,9 +30,8 @@ Scene<2> three_blocks_scene() {
                     {"b.left", {ConditionKind::sliding, {linear}, ""}},
                     {"b.top", {ConditionKind::traction, {other_linear, linear}, ""}},
                     {"c.right", {ConditionKind::pressure, {linear}, ""}}};
-  scene.contact = {{"a.top", "b.bottom", quadratic, ""},
-                   {"c.left", "a.right", quadratic, ""},
-                   {"c.bottom", "rigid", quadratic, ""}};
+  scene.contact = {
+      {"a.top", "b.bottom", quadratic, ""}, {"c.left", "a.right", quadratic, ""}, {"c.bottom", "rigid", quadratic, ""}};
   return scene;
 }
 

@@ -36,8 +36,8 @@ Ended solved(const scene::Scene<2>& scene, const scene::Mesh<2>& mesh) {
     ended.reason = outcome.reason;
     if (outcome.guarantee == "none") return ended;
     for (const bounds::Level& level : outcome.levels)
-      ended.found.push_back({scene.solve.degree, static_cast<int>(ended.found.size()), level.bracket.lower,
-                             level.bracket.upper});
+      ended.found.push_back(
+          {scene.solve.degree, static_cast<int>(ended.found.size()), level.bracket.lower, level.bracket.upper});
   } catch (const scene::Error& error) {
     ended.status = error.status();
     ended.reason = error.what();
@@ -51,10 +51,11 @@ Ended solved(const scene::Scene<2>& scene, const scene::Mesh<2>& mesh) {
 std::vector<std::string> faults_of_ending(int degree, const Ended& ended) {
   std::vector<std::string> faults;
   const auto say = [&](const std::string& what) {
-    faults.push_back(fmt::format("degree {}: {}: status {}, {}", degree, what, static_cast<int>(ended.status),
-                                 ended.reason));
+    faults.push_back(
+        fmt::format("degree {}: {}: status {}, {}", degree, what, static_cast<int>(ended.status), ended.reason));
   };
-  if (ended.internal) say("an exception that is no scene::Error");
+  if (ended.internal)
+    say("an exception that is no scene::Error");
   else if (ended.status == Status::internal || ended.status == Status::input || ended.status == Status::mesh)
     say("a scene that should be well-formed is refused");
   if (ended.status != Status::done && std::ranges::count(ended.reason, '\n') + ended.reason.empty() > 0)

@@ -51,9 +51,9 @@ struct Side {
   std::array<std::array<int, 2>, 2> corners;  // of the slot, counter-clockwise
 };
 inline const std::array<Side, 4> sides = {{{"left", {-1, 0}, {{{0, 1}, {0, 0}}}},
-                                    {"right", {1, 0}, {{{1, 0}, {1, 1}}}},
-                                    {"bottom", {0, -1}, {{{0, 0}, {1, 0}}}},
-                                    {"top", {0, 1}, {{{1, 1}, {0, 1}}}}}};
+                                           {"right", {1, 0}, {{{1, 0}, {1, 1}}}},
+                                           {"bottom", {0, -1}, {{{0, 0}, {1, 0}}}},
+                                           {"top", {0, 1}, {{{1, 1}, {0, 1}}}}}};
 
 /// A grid of places for bodies, some of them empty.
 struct Grid {

@@ -76,10 +76,8 @@ void add_bodies(Making& making, double young) {
       if (!making.grid.taken[i][j]) continue;
       const std::string name = making.grid.body(static_cast<int>(i), static_cast<int>(j));
       const auto& [x, y] = making.grid.lines;
-      scene.blocks.push_back({name,
-                              {{{x[i], x[i + 1]}, {y[j], y[j + 1]}}},
-                              {making.grid.cells[0][i], making.grid.cells[1][j]},
-                              ""});
+      scene.blocks.push_back(
+          {name, {{{x[i], x[i + 1]}, {y[j], y[j + 1]}}}, {making.grid.cells[0][i], making.grid.cells[1][j]}, ""});
       Made material = random_material(making.random, young, scene.plane == "stress");
       if (making.random.chance(0.2))
         material.body.force = Vector<2>(making.random.pick<double>({0, 0.1, -0.1}), -1) * (making.load / making.size);

@@ -1,13 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/certificate/block_stress.h"
-#include "dual/block_element.h"
-#include "dual/dual.h"
-#include "tests/bounds/certificate/rational.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "dual/block_element.h"
+#include "dual/dual.h"
+#include "tests/bounds/certificate/rational.h"
 
 namespace bracket::bounds {
 namespace {

@@ -23,7 +23,8 @@ inline bounds::Rational softness(double thickness, double young, double poisson)
 /// docs/theory.md §9.1: ½ E' Δ².   \pre n is a power of two
 inline ExactProblem exact_patch(double young, double poisson, double lowering, int n) {
   const bounds::Rational by(lowering);
-  return {bounds::balanced(problem(patch(young, poisson, lowering, n)), 2), by * by / (2 * softness(1, young, poisson))};
+  return {bounds::balanced(problem(patch(young, poisson, lowering, n)), 2),
+          by * by / (2 * softness(1, young, poisson))};
 }
 
 /// docs/theory.md §9.3: −p₀² (1 + c²/3) (t₁/E₁' + t₂/E₂').

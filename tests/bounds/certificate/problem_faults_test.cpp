@@ -73,7 +73,10 @@ TEST(ProblemFault, on_the_first_mesh) {
       {[](auto& p) { p.bodies[0].isotropic->young = -1; }, "definite"},
       {[](auto& p) { p.facets[between_bodies(p).second].normal[0] += 1e-16; }, "opposite"},
       {[](auto& p) { p.facets[facet_with(p, Support::sliding)].normal *= 2; }, "unit"},
-      {[](auto& p) { p.facets[facet_with(p, Support::sliding)].normal = {0.6, 0.8}; }, "25 degrees"},
+      {[](auto& p) {
+         p.facets[facet_with(p, Support::sliding)].normal = {0.6, 0.8};
+       },
+       "25 degrees"},
       {[](auto& p) { p.contact[0].second = p.contact[1].second; }, ""},
       {[](auto& p) { p.facets[p.contact[0].first].support = Support::traction; }, "support"},
       {[](auto& p) { p.contact.pop_back(); }, "in contact with nothing"},
@@ -94,7 +97,10 @@ TEST(ProblemFault, after_refinement) {
       {[](auto& p) { p.origin.cells.pop_back(); }, "differ in number"},
       {[](auto& p) { p.origin.facets[3].corner[1][0] = 0.75; }, "boundary facet 3"},
       {[](auto& p) { p.facets[facet_with(p, Support::fixed)].support = Support::traction; }, "support"},
-      {[](auto& p) { p.facets[facet_with(p, Support::sliding)].normal = {0, 1}; }, "direction"},
+      {[](auto& p) {
+         p.facets[facet_with(p, Support::sliding)].normal = {0, 1};
+       },
+       "direction"},
       {[](auto& p) { p.contact[0].lower[1] += 1e-9, p.contact[0].upper[1] += 1e-9; }, "gaps"},
       {[](auto& p) { p.contact[1].upper[0] -= 1e-9, p.contact[1].lower[0] -= 2e-9; }, "gaps"},
       {[](auto& p) { std::swap(p.contact[0].second, p.contact[1].second); }, ""},
@@ -105,10 +111,14 @@ TEST(ProblemFault, after_refinement) {
 TEST(ProblemFault, of_corrections) {
   const auto floating = balanced(tests::problem(tests::linear_pressure({}, 2, 1)), 2);
   ASSERT_EQ(floating.corrections.size(), 2u);
-  expect_refused(floating, [](auto& p) { p.carries.clear(); }, "which contacts carry");
-  expect_refused(floating, [](auto& p) { p.corrections[0].facet = -1; }, "correction");
-  expect_refused(floating, [](auto& p) { p.corrections.pop_back(); }, "");
-  expect_refused(floating, [](auto& p) { p.corrections[0] = p.corrections[1]; }, "");
+  expect_refused(
+      floating, [](auto& p) { p.carries.clear(); }, "which contacts carry");
+  expect_refused(
+      floating, [](auto& p) { p.corrections[0].facet = -1; }, "correction");
+  expect_refused(
+      floating, [](auto& p) { p.corrections.pop_back(); }, "");
+  expect_refused(
+      floating, [](auto& p) { p.corrections[0] = p.corrections[1]; }, "");
 }
 
 TEST(ProblemFault, fields_of_another_mesh_are_refused) {
@@ -140,8 +150,8 @@ TEST(Links, leave_the_motions_that_they_do_not_act_on) {
   };
   EXPECT_EQ(count(tests::smooth(2), {}), 3);
   EXPECT_EQ(count(tests::two_blocks(2), {1}), 0);
-  EXPECT_EQ(count(tests::two_blocks(2), {0}), 1);                 // the upper one slides along its left side
-  EXPECT_EQ(count(tests::linear_pressure({}, 2, 1), {1}), 2);     // both sideways
+  EXPECT_EQ(count(tests::two_blocks(2), {0}), 1);              // the upper one slides along its left side
+  EXPECT_EQ(count(tests::linear_pressure({}, 2, 1), {1}), 2);  // both sideways
   EXPECT_EQ(count(tests::linear_pressure({}, 2, 1), {0}), 1 + 3);
   auto free = tests::linear_pressure({}, 2, 1);
   free.boundary.erase("lower.bottom");
