@@ -73,17 +73,6 @@ Ending ending(const Extremes& extremes, bool interrupted) {
 
 }  // namespace
 
-double Interval::relative_width() const {
-  const double size = std::max(std::abs(lower), std::abs(upper));
-  return size > 0 ? (upper - lower) / size : 0;
-}
-
-std::optional<bool> contains_reference(const Extreme& extreme) {
-  if (!extreme.interval || !extreme.reference) return std::nullopt;
-  return extreme.interval->lower <= extreme.reference->upper + extreme.slack &&
-         extreme.reference->lower <= extreme.interval->upper + extreme.slack;
-}
-
 Ending extremes(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                 const std::filesystem::path& given_folder) {
   const scene::Scene<2> scene = scene::read_scene<2>(file, overrides);

@@ -29,13 +29,12 @@ struct Results {
   std::vector<std::string> missing = {};  ///< what could not be written of levels after the first, and why
 };
 
-Report report(const Results& results, const bounds::Outcome<2>& outcome) {
-  return {.scene = results.scene,
-          .outcome = outcome,
-          .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
-          .read = results.read,
-          .around = results.around,
-          .missing = results.missing};
+Report report_of(const Results& results, const bounds::Outcome<2>& outcome) {
+  Report report = apps::report(results.scene, outcome);
+  report.read = results.read;
+  report.around = results.around;
+  report.missing = results.missing;
+  return report;
 }
 
 // The fields of the last level, and the collection of all.
@@ -54,7 +53,7 @@ void write_fields(const std::filesystem::path& folder, const Report& report) {
 void write_level(Results& results, const bounds::Outcome<2>& outcome) {
   results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
   const Clock clock;
-  Report so_far = report(results, outcome);
+  Report so_far = report_of(results, outcome);
   so_far.running = true;
   write_fields(results.folder, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
@@ -171,7 +170,7 @@ Ending run(const RunOptions& options) {
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
     write_level_if_it_fits(results, outcome);  // of a level that failed its checks
-  Report report = apps::report(results, outcome);
+  Report report = report_of(results, outcome);
   write_first_end(results, report);  // before the pictures, which may fill the disk
   if (options.pictures) try_pictures(results, report, options.png);
   const std::vector<std::string> unwritten = write_end(results, report);

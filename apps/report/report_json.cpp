@@ -103,6 +103,18 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
           {"contact", std::move(contact)}};
 }
 
+Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome) {
+  Report report{.scene = scene,
+                .outcome = outcome,
+                .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+                .around = {},
+                .missing = {}};
+  double elapsed = 0;
+  for (const bounds::Level& level : outcome.levels)
+    report.around.push_back({.elapsed = elapsed += level.seconds.total});
+  return report;
+}
+
 double relative_width(const bounds::Outcome<2>& outcome) {
   const double size = std::max(std::abs(outcome.lower), std::abs(outcome.upper));
   return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
