@@ -2,7 +2,6 @@
 #include "apps/studies/extremes.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +9,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/commands/interrupt.h"
-#include "apps/commands/progress.h"
+#include "apps/commands/watch.h"
 #include "contact/clock.h"
 
 namespace bracket::apps {
@@ -84,9 +82,8 @@ Ending extremes(const std::filesystem::path& file, const std::vector<std::string
   Extremes extremes;
   bool interrupted = false;
   {
-    const Interrupt interrupt;
-    const Progress progress(isatty(STDERR_FILENO));
-    progress.show("the scene as it is");
+    const Watch watch;
+    watch.show("the scene as it is");
     const scene::Problem<2> benign = scene::fix_data(scene, scene::build_mesh(scene));
     extremes.benign = interval(bounds::run(settings, benign));
     for (const Sweep& sweep : extreme_sweeps(scene, benign)) {
@@ -95,9 +92,9 @@ Ending extremes(const std::filesystem::path& file, const std::vector<std::string
         continue;
       }
       for (const double parameter : sweep.parameters) {
-        interrupted = interrupted || interrupt.requested();
+        interrupted = interrupted || watch.interrupted();
         if (interrupted) break;
-        progress.show(fmt::format("{} = {:g}", sweep.name, parameter));
+        watch.show(fmt::format("{} = {:g}", sweep.name, parameter));
         extremes.rows.push_back(solved(settings, sweep, parameter, extremes.benign));
         write_tables(folder, scene, extremes);
       }

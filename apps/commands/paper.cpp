@@ -2,7 +2,6 @@
 #include "apps/paper/paper.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 
@@ -18,7 +17,7 @@ void paper(const std::filesystem::path& given_folder) {
   std::vector<Table> tables;
   const auto add = [&](const std::string& name, const std::function<Table()>& make) {
     {
-      const Progress progress(isatty(STDERR_FILENO));
+      const Progress progress;
       progress.show(name);
       tables.push_back(make());
     }
@@ -30,7 +29,7 @@ void paper(const std::filesystem::path& given_folder) {
   const Table projected = add("Theorem 2.2", interpolation);
   std::vector<Measured> measured;
   {
-    const Progress progress(isatty(STDERR_FILENO));
+    const Progress progress;
     for (const Example& example : examples()) {
       const auto meshes = measure(example, {2, 4, 8, 16, 32}, [&](const std::string& stage) { progress.show(stage); });
       measured.insert(measured.end(), meshes.begin(), meshes.end());

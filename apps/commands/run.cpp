@@ -9,9 +9,8 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/commands/interrupt.h"
-#include "apps/commands/progress.h"
 #include "apps/commands/say.h"
+#include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
@@ -72,21 +71,11 @@ void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome)
 }
 
 bounds::Outcome<2> solve(Results& results, bool show_progress) {
-  const Interrupt interrupt;
-  const Progress progress(show_progress);
-  std::stop_source stop;
-  bounds::Observer<2> observer;
-  observer.stop = stop.get_token();
-  observer.stage = [&](const std::string& stage) {
-    progress.show(stage);
-    if (interrupt.requested()) stop.request_stop();
-  };
-  observer.level = [&](const bounds::Outcome<2>& so_far) {
-    progress.show("writing");
+  Watch watch(show_progress);
+  return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& so_far) {
+    watch.show("writing");
     write_level_if_it_fits(results, so_far);
-    if (interrupt.requested()) stop.request_stop();
-  };
-  return bounds::run(results.scene, observer);
+  }));
 }
 
 /// Draws the pictures and writes them and report.html; tells the report what is missing.
@@ -166,7 +155,7 @@ Ending run(const RunOptions& options) {
   // Before the work, so that a folder that cannot be used is known at once.
   const Descriptor in_use = prepare_folder(results.folder);
 
-  const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
+  const bounds::Outcome<2> outcome = solve(results, !options.quiet);
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
     write_level_if_it_fits(results, outcome);  // of a level that failed its checks
