@@ -129,11 +129,11 @@ Level estimate(const scene::Scene<dim>& scene, const Step<dim>& step, const Solv
 /// Why a level has no bounds; empty: it has.
 std::string uncertified(const Level& level) {
   if (level.certificate.valid) return "";
-  const auto [name, value] = level.checks.worst();
+  const Check worst = level.checks.worst();
   return fmt::format(
       "no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
       "better shape, or moduli and sizes that differ less",
-      level.cells, level.certificate.reason, name, value);
+      level.cells, level.certificate.reason, worst.name, worst.value);
 }
 
 /// What a level's bounds contradict, themselves or those of earlier levels, which are of the same problem to the last

@@ -34,7 +34,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
     const std::string label = fmt::format("{}, degree {}: ", series.strategy, series.degree);
     const auto level = [&](const bounds::Outcome<2>& so_far) {
       series.levels.push_back(so_far.levels.back());
-      series.elapsed.push_back(clock.seconds());
+      series.around.push_back({.elapsed = clock.seconds()});
       write_tables(folder, scene, all);
     };
     const bounds::Outcome<2> outcome = bounds::run(scene, watch.observer(label, level));
