@@ -16,6 +16,8 @@ using bounds::Bracket;
 using bounds::Level;
 using bounds::PlainEnergies;
 using bounds::Seconds;
+using contact::Phases;
+using contact::Statistics;
 
 /// The member of a level that the members lead to, each in the one before.
 template <class... Members> auto of(Members... members) {
@@ -29,16 +31,16 @@ auto of(double LevelSeconds::*member) {
 std::vector<Column> made() {
   std::vector<Column> all = {
       {"cells", "/cells", of(&Level::cells)},
-      {"primal_dofs", "/primal_dofs", of(&Level::primal_dofs)},
-      {"dual_dofs", "/dual_dofs", of(&Level::dual_dofs)},
+      {"primal_dofs", "/primal_dofs", of(&Level::primal, &Statistics::unknowns)},
+      {"dual_dofs", "/dual_dofs", of(&Level::dual, &Statistics::unknowns)},
       {"lower", "/lower", of(&Level::bracket, &Bracket::lower)},
       {"upper", "/upper", of(&Level::bracket, &Bracket::upper)},
       {"relative_width", "/relative_width", of(&Level::bracket, &Bracket::relative_width), Shape::percent},
       {"relative_error_bound", "/relative_error_bound", of(&Level::bracket, &Bracket::relative_error_bound),
        Shape::percent},
-      {"contact_rows", "/contact/rows", of(&Level::contact_rows)},
-      {"contact_active", "/contact/active", of(&Level::contact_active)},
-      {"contact_iterations", "/contact/iterations", of(&Level::contact_iterations)},
+      {"contact_rows", "/contact/rows", of(&Level::primal, &Statistics::rows)},
+      {"contact_active", "/contact/active", of(&Level::primal, &Statistics::active_rows)},
+      {"contact_iterations", "/contact/iterations", of(&Level::primal, &Statistics::iterations)},
       {"seconds_mesh", "/seconds/mesh", of(&Level::seconds, &Seconds::mesh), Shape::seconds},
       {"seconds_primal", "/seconds/primal", of(&Level::seconds, &Seconds::primal), Shape::seconds},
       {"seconds_dual", "/seconds/dual", of(&Level::seconds, &Seconds::dual), Shape::seconds},
@@ -47,28 +49,25 @@ std::vector<Column> made() {
       {"seconds_total", "/seconds/total", of(&Level::seconds, &Seconds::total), Shape::seconds},
       {"seconds_write", "/seconds/write", of(&LevelSeconds::write), Shape::seconds},
       {"seconds_elapsed", "/seconds/elapsed", of(&LevelSeconds::elapsed), Shape::seconds}};
-  constexpr std::array<double contact::Seconds::*, 4> phases = {&contact::Seconds::order, &contact::Seconds::factorise,
-                                                                &contact::Seconds::contact, &contact::Seconds::recover};
-  const auto add = [&](const std::string& formulation, const std::string& phase, auto value) {
-    all.push_back({formulation + "_" + phase, "/seconds/" + formulation + "_phases/" + phase, value, Shape::seconds});
-  };
-  for (const bool primal : {true, false}) {
-    const std::string formulation = primal ? "primal" : "dual";
-    add(formulation, phase_names[0], of(primal ? &Level::primal_assemble : &Level::dual_assemble));
-    for (std::size_t i = 0; i < phases.size(); ++i)
-      add(formulation, phase_names[i + 1], of(primal ? &Level::primal_phases : &Level::dual_phases, phases[i]));
-  }
-  all.insert(all.end(), {{"contact_dual_rows", "/contact/dual/rows", of(&Level::dual_contact_rows)},
-                         {"contact_dual_active", "/contact/dual/active", of(&Level::dual_contact_active)},
-                         {"contact_dual_iterations", "/contact/dual/iterations", of(&Level::dual_contact_iterations)},
-                         {"error_bound", "/error_bound", of(&Level::bracket, &Bracket::error_bound)},
-                         {"mean_stress_error_bound", "/mean_stress_error_bound",
-                          of(&Level::bracket, &Bracket::mean_stress_error_bound)},
-                         {"plain_lower", "/plain/lower", of(&Level::plain, &PlainEnergies::lower)},
-                         {"plain_upper", "/plain/upper", of(&Level::plain, &PlainEnergies::upper)},
-                         {"oscillation_energy", "/oscillation_energy", of(&Level::oscillation_energy)},
-                         {"imbalance_primal", "/imbalance/primal", of(&Level::primal_imbalance)},
-                         {"imbalance_dual", "/imbalance/dual", of(&Level::dual_imbalance)}});
+  constexpr std::array<double Phases::*, 5> phase = {&Phases::assemble, &Phases::order, &Phases::factorise,
+                                                     &Phases::contact, &Phases::recover};
+  for (const auto& [formulation, statistics] : {std::pair("primal", &Level::primal), std::pair("dual", &Level::dual)})
+    for (std::size_t i = 0; i < phase.size(); ++i)
+      all.push_back({fmt::format("{}_{}", formulation, phase_names[i]),
+                     fmt::format("/seconds/{}_phases/{}", formulation, phase_names[i]),
+                     of(statistics, &Statistics::seconds, phase[i]), Shape::seconds});
+  all.insert(
+      all.end(),
+      {{"contact_dual_rows", "/contact/dual/rows", of(&Level::dual, &Statistics::rows)},
+       {"contact_dual_active", "/contact/dual/active", of(&Level::dual, &Statistics::active_rows)},
+       {"contact_dual_iterations", "/contact/dual/iterations", of(&Level::dual, &Statistics::iterations)},
+       {"error_bound", "/error_bound", of(&Level::bracket, &Bracket::error_bound)},
+       {"mean_stress_error_bound", "/mean_stress_error_bound", of(&Level::bracket, &Bracket::mean_stress_error_bound)},
+       {"plain_lower", "/plain/lower", of(&Level::plain, &PlainEnergies::lower)},
+       {"plain_upper", "/plain/upper", of(&Level::plain, &PlainEnergies::upper)},
+       {"oscillation_energy", "/oscillation_energy", of(&Level::oscillation_energy)},
+       {"imbalance_primal", "/imbalance/primal", of(&Level::primal, &Statistics::imbalance)},
+       {"imbalance_dual", "/imbalance/dual", of(&Level::dual, &Statistics::imbalance)}});
   return all;
 }
 

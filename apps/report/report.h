@@ -27,9 +27,9 @@ struct Report {
   std::vector<std::string> missing;           ///< what could not be drawn, and why, one line each
 };
 
-/// The report of a run that has ended, told by a program of one's own; it refers to both. What has elapsed is the sum
-/// of its levels, and nothing was written.
-/// \pre at least one level, with fields
+/// The report of a run that has ended, told by a program of one's own. What has elapsed is the sum of its levels, and
+/// nothing was written.
+/// \pre at least one level, with fields; scene and outcome outlive the report, which refers to them
 Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome);
 
 /// The width of the run's bracket by the larger of its bounds' sizes.

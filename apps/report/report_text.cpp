@@ -85,11 +85,10 @@ std::string pair_line(const Report& report, int pair) {
 
 std::string contact_text(const Report& report) {
   if (report.scene.contact.empty()) return "";
-  const bounds::Level& level = report.outcome.levels.back();
+  const contact::Statistics &primal = report.outcome.levels.back().primal, &dual = report.outcome.levels.back().dual;
   std::string text =
       fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
-                  level.contact_active, level.contact_rows, level.contact_iterations, level.dual_contact_active,
-                  level.dual_contact_rows, level.dual_contact_iterations);
+                  primal.active_rows, primal.rows, primal.iterations, dual.active_rows, dual.rows, dual.iterations);
   for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) text += pair_line(report, pair);
   return text;
 }

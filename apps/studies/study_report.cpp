@@ -43,7 +43,7 @@ std::string study_text(const std::vector<Series>& all) {
       const bounds::Level& level = series.levels[i];
       const auto number = [&](const std::string& column) { return value(column, level, series.around[i]); };
       text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}{:>7.2f}", series.strategy,
-                          series.degree, level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower,
+                          series.degree, level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
                           level.bracket.upper, percent(level.bracket.relative_error_bound), level.seconds.mesh);
       for (const std::string phase : phase_names)
         text += fmt::format("{:>10.2f}", number("primal_" + phase) + number("dual_" + phase));

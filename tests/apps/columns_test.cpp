@@ -96,11 +96,8 @@ TEST(Column, NumbersThatOthersReadKeepTheirNames) {
 
 TEST(Column, FormulationsDoNotMix) {
   bounds::Level level;
-  level.primal_dofs = 1, level.contact_rows = 2, level.contact_active = 3, level.contact_iterations = 4;
-  level.primal_imbalance = 5, level.primal_assemble = 6, level.primal_phases = {7, 8, 9, 10};
-  level.dual_dofs = 11, level.dual_contact_rows = 12, level.dual_contact_active = 13,
-  level.dual_contact_iterations = 14;
-  level.dual_imbalance = 15, level.dual_assemble = 16, level.dual_phases = {17, 18, 19, 20};
+  level.primal = {1, 2, 3, 4, 5, {6, 7, 8, 9, 10}};
+  level.dual = {11, 12, 13, 14, 15, {16, 17, 18, 19, 20}};
   const auto number = [&](const std::string& name) { return value(name, level, {}); };
   EXPECT_EQ(number("primal_dofs"), 1);
   EXPECT_EQ(number("dual_dofs"), 11);
