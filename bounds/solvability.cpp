@@ -95,12 +95,13 @@ std::string explain(const scene::Problem<dim>& problem, const FreeMotions<dim>& 
   Eigen::Index most = 0;
   y.cwiseAbs().maxCoeff(&most);
   const int body = all.body[most];
-  scene::RigidMotion<dim> motion{Vector<dim>::Zero(), 0, all.motion[most].centre};
+  scene::RigidMotion<dim> motion{Vector<dim>::Zero(), {}, all.motion[most].centre};
   const double unit = std::abs(y[most]);
   for (std::size_t m = 0; m < all.motion.size(); ++m) {
     if (all.body[m] != body || std::abs(y[m]) < negligible * unit) continue;
     motion.translation += y[m] / unit * all.motion[m].translation;
-    motion.rotation += y[m] / unit * all.motion[m].rotation;
+    for (std::size_t r = 0; r < motion.rotation.size(); ++r)
+      motion.rotation[r] += y[m] / unit * all.motion[m].rotation[r];
   }
   return fmt::format("body '{}' is pushed off: {} gains energy without end", problem.mesh.bodies[body],
                      scene::describe(motion));

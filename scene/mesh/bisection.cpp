@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: newest-vertex bisection of triangles, whose edges are their facets.
 #include <algorithm>
 #include <cassert>
 #include <tuple>
@@ -149,7 +150,8 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
       add_cell(parent, old.cells[i], {halves.first[edges[0]], halves.first[edges[1]], halves.first[edges[2]]}, cut);
       continue;
     }
-    const int a = old.cells[i][cut], b = old.cells[i][(cut + 1) % 3], c = old.cells[i][(cut + 2) % 3];
+    const auto [b, c] = facet_vertices(old, parent, cut);
+    const int a = old.cells[i][cut];
     const int am = add_edge(a, m);
     const std::size_t first = mesh.cells.size();
     add_half(parent, {m, a, b}, ab, half_at(old, halves, bc, b), am);
@@ -187,9 +189,10 @@ std::vector<Piece<2>> pieces_of_cells(const Problem<2>& old, const Mesh<2>& mesh
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh.cells[c][i];
       for (int k = 0; k < 3; ++k) {
+        const auto& [from, to] = Simplex<2>::edges[k];
         if (vertices[k] == vertex) piece.corner[i] = whole.corner[k];
         if (halves.midpoint[old.mesh.cell_edges[parent][k]] == vertex)
-          piece.corner[i] = halfway(whole.corner[(k + 1) % 3], whole.corner[(k + 2) % 3]);
+          piece.corner[i] = halfway(whole.corner[from], whole.corner[to]);
       }
     }
     pieces.push_back(piece);

@@ -164,12 +164,9 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
 }
 
 double bounding_box_diagonal(const Mesh<2>& mesh) {
-  Vector<2> low = mesh.vertices[0], high = mesh.vertices[0];
-  for (const Vector<2>& vertex : mesh.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  return (high - low).norm();
+  Eigen::AlignedBox2d box;
+  for (const Vector<2>& vertex : mesh.vertices) box.extend(vertex);
+  return box.diagonal().norm();
 }
 
 }  // namespace
@@ -188,12 +185,11 @@ template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<
   // Of the first mesh's facet, as far from the origin rounding turns small ones.
   const auto [of, corner] = piece_of_facet(problem, facet);
   const Mesh<dim>& first = first_of(problem).mesh;
-  const auto& [a, b] = first.boundary[of].vertices;
-  const Vector<dim> along = (corner[1][0] - corner[0][0]) * (first.vertices[b] - first.vertices[a]);
-  const Vector<dim> outward(along[1], -along[0]);  // as long as the facet
+  const Vector<dim> outward =
+      (corner[1][0] - corner[0][0]) * area_vector<dim>(positions(first, first.boundary[of].vertices));
   std::array<Vector<dim>, dim> result;
   for (int i = 0; i < dim; ++i)
-    result[i] = along.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
+    result[i] = outward.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
   return result;
 }
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: facets that coincide run opposite to each other.
 #include "scene/problem/matching.h"
 
 #include <fmt/format.h>

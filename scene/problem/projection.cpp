@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: functions on an edge that is a facet.
 #include "scene/problem/projection.h"
 
 #include <fmt/format.h>
