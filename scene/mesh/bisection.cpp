@@ -6,6 +6,7 @@
 
 #include "scene/enclosure.h"
 #include "scene/problem/refine.h"
+#include "scene/problem/stretch.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -200,35 +201,19 @@ std::vector<Piece<2>> pieces_of_cells(const Problem<2>& old, const Mesh<2>& mesh
   return pieces;
 }
 
-template <class Value> Value linear(const std::array<Value, 2>& ends, double t) {
-  if (t == 0 || t == 1) return ends[t == 0 ? 0 : 1];
-  return (1 - t) * ends[0] + t * ends[1];
-}
-
 /// The first mesh's data on a piece of one of its facets, rounded.
 FacetData<2> on_piece(FacetData<2> data, const Piece<1>& piece) {
   const FacetData<2> given = data;
   const double width = piece.corner[1][0] - piece.corner[0][0];
   for (int i = 0; i < 2; ++i) {
     const double t = piece.corner[i][0];
-    data.traction[i] = linear(given.traction, t);
-    data.pressure[i] = linear(given.pressure, t);
-    data.correction[i] = width * linear(given.correction, t);
-    data.displacement[i] = linear(given.displacement, t);
-    data.normal_displacement[i] = linear(given.normal_displacement, t);
+    data.traction[i] = between_ends(given.traction, t);
+    data.pressure[i] = between_ends(given.pressure, t);
+    data.correction[i] = width * between_ends(given.correction, t);
+    data.displacement[i] = between_ends(given.displacement, t);
+    data.normal_displacement[i] = between_ends(given.normal_displacement, t);
   }
   return data;
-}
-
-/// Bernstein coefficients of a quadratic on the stretch [from, to] of its facet: its blossom.
-std::array<Enclosure, 3> on_stretch(const std::array<double, 3>& whole, double from, double to) {
-  const auto between = [](const Enclosure& a, const Enclosure& b, double t) {
-    return t == 0 ? a : t == 1 ? b : a + Enclosure(t) * (b - a);
-  };
-  const auto blossom = [&](double s, double t) {
-    return between(between(whole[0], whole[1], s), between(whole[1], whole[2], s), t);
-  };
-  return {blossom(from, from), blossom(from, to), blossom(to, to)};
 }
 
 /// Fills the boundary and its data. \return with the first of each old facet's one or two children, in its order
@@ -264,7 +249,10 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
 ContactFacet on_piece(const ContactFacet& given, int first, int second, const Piece<1>& piece) {
   ContactFacet facet{given.pair, first, second, {}, {}};
   const double from = piece.corner[0][0], to = piece.corner[1][0];
-  const auto below = on_stretch(given.lower, from, to), above = on_stretch(given.upper, from, to);
+  const auto cut = [&](const std::array<double, 3>& whole) {
+    return on_stretch(std::array<Enclosure, 3>{whole[0], whole[1], whole[2]}, from, to);
+  };
+  const auto below = cut(given.lower), above = cut(given.upper);
   for (int i = 0; i < 3; ++i) {
     facet.lower[i] = lower(below[i]);
     facet.upper[i] = upper(above[i]);
@@ -290,9 +278,7 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
   origin.cells = pieces_of_cells(problem, refined.problem.mesh, refined.cell_parent, halves);
   std::vector<int> first_child;
   std::tie(refined.problem, first_child) = with_boundary(std::move(refined.problem), problem, halves);
-  std::vector<int> contact_of_facet(origin.first->facets.size(), -1);
-  for (std::size_t i = 0; i < origin.first->contact.size(); ++i)
-    contact_of_facet[origin.first->contact[i].first] = static_cast<int>(i);
+  const std::vector<int> contact_of_facet = contacts_by_first(*origin.first);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     const int first = problem.contact[i].first, second = problem.contact[i].second;
     const auto add = [&](int one, int other) {

@@ -179,6 +179,12 @@ template <int dim> bool is_loaded(const FacetData<dim>& data) {
           std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }));
 }
 
+template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem) {
+  std::vector<int> contacts(problem.facets.size(), -1);
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) contacts[problem.contact[i].first] = static_cast<int>(i);
+  return contacts;
+}
+
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet) {
   static_assert(dim == 2);
   const FacetData<dim>& data = problem.facets[facet];
@@ -226,6 +232,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
 }
 
 template bool is_loaded(const FacetData<2>&);
+template std::vector<int> contacts_by_first(const Problem<2>&);
 template std::array<Vector<2>, 2> load(const Problem<2>&, int);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
 
