@@ -24,19 +24,13 @@ struct Seconds {
 /// What one mesh gave.
 struct Level {
   int cells = 0;
-  int primal_dofs = 0;
-  int dual_dofs = 0;
   Bracket bracket;  ///< from the certificate; without one, from the plain energies
   PlainEnergies plain;
   Certificate certificate;
   Checks checks;
   double oscillation_energy = 0;  ///< of the data, which the first mesh fixes: see oscillation_energy()
   Seconds seconds;
-  int contact_rows = 0, contact_active = 0, contact_iterations = 0;  ///< of the displacements
-  int dual_contact_rows = 0, dual_contact_active = 0, dual_contact_iterations = 0;
-  double primal_imbalance = 0, dual_imbalance = 0;
-  double primal_assemble = 0, dual_assemble = 0;
-  contact::Seconds primal_phases, dual_phases;
+  contact::Statistics primal, dual;
 };
 
 /// What a run has found; the fields are those of the last level.

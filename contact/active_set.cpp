@@ -126,7 +126,7 @@ std::optional<Pressure> block_active_set(const Interface& problem, std::vector<c
     const VectorXd rounding = slack_rounding(problem, *closed);
     std::vector<char> next(static_cast<std::size_t>(m));
     for (Index i = 0; i < m; ++i) next[i] = guess[i] ? closed->pressure[i] > 0 : left[i] < -rounding[i];
-    if (next == guess) return Pressure{Outcome::solved, closed->pressure, closed->motion, active, iteration};
+    if (next == guess) return Pressure{Termination::solved, closed->pressure, closed->motion, active, iteration};
     guess = std::move(next);
   }
   return {};

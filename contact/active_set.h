@@ -18,10 +18,10 @@ struct Interface {
 };
 
 struct Pressure {
-  Outcome outcome = Outcome::solved;  ///< or contradiction; then nothing else is set
-  Eigen::VectorXd pressure;           ///< p ≥ 0, m, zero off the active rows
-  Eigen::VectorXd motion;             ///< α, k
-  std::vector<Eigen::Index> active;   ///< independent rows that are closed
+  Termination termination = Termination::solved;  ///< or contradiction; then nothing else is set
+  Eigen::VectorXd pressure;                       ///< p ≥ 0, m, zero off the active rows
+  Eigen::VectorXd motion;                         ///< α, k
+  std::vector<Eigen::Index> active;               ///< independent rows that are closed
   int iterations = 0;
 };
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <memory>
@@ -67,30 +68,15 @@ void add_compliance(const Sparse& rows, const Condensed& body, MatrixXd& complia
 }
 
 /// K⁺ (f − Bᵀ p)
-VectorXd elastic_displacement(const Body& body, const Condensed& condensed, const VectorXd& force,
+VectorXd elastic_displacement(const System& body, const Condensed& condensed, const VectorXd& force,
                               const VectorXd& pressure) {
   return condensed.apply(force - body.rows.transpose() * pressure);
 }
 
 /// Σ B u
-VectorXd approach(const std::vector<Body>& bodies, const std::vector<VectorXd>& displacement) {
+VectorXd approach(const std::vector<System>& bodies, const std::vector<VectorXd>& displacement) {
   VectorXd result = VectorXd::Zero(bodies.front().rows.rows());
   for (std::size_t b = 0; b < bodies.size(); ++b) result += bodies[b].rows * displacement[b];
-  return result;
-}
-
-Interface condense(const std::vector<Body>& bodies, const std::vector<Condensed>& condensed, const Statics& statics,
-                   const VectorXd& gap) {
-  const Index m = gap.size();
-  std::vector<VectorXd> unhindered;
-  Interface result{MatrixXd::Zero(m, m), {}, {}, statics.rows, statics.load};
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].rows.nonZeros() > 0) add_compliance(bodies[b].rows, condensed[b], result.compliance);
-    unhindered.push_back(condensed[b].apply(bodies[b].load));
-  }
-  const VectorXd free_approach = approach(bodies, unhindered);
-  result.overlap = free_approach - gap;
-  result.size = free_approach.cwiseAbs() + gap.cwiseAbs();
   return result;
 }
 
@@ -103,53 +89,20 @@ Pressure minimise(const Scaled& interface, const VectorXd& start, const std::vec
     return primal_active_set(interface.problem, start.cwiseQuotient(interface.row));
   } catch (const HeldByRounding&) {
     Pressure none;
-    none.outcome = Outcome::not_definite;
+    none.termination = Termination::not_definite;
     return none;
   }
 }
 
-/// What solve() looks for.
+/// What Bodies::solve() looks for.
 struct State {
   std::vector<VectorXd> elastic;  ///< K⁺ (f − Bᵀ p) of each body
   VectorXd pressure;              ///< p
   VectorXd motion;                ///< α, of the motions that contact resists
 };
 
-/// One step of iterative refinement on the whole: what K u + Bᵀ p = f, the closed rows and Gᵀ p = e still lack.
-/// Rigid motions stay out of the residuals, so a large one does no harm. The rounding of all n rows of K adds up along
-/// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
-State refined(const std::vector<Body>& bodies, const std::vector<Motions>& bases,
-              const std::vector<Condensed>& condensed, const Statics& statics, const VectorXd& gap,
-              const Scaled& interface, const std::vector<Index>& active, State state) {
-  std::vector<VectorXd> residual;
-  VectorXd misfit = statics.rows * state.motion - gap;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body& body = bodies[b];
-    VectorXd carried = body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
-    const MatrixXd& basis = bases[b].basis;  // basisᵀ basis = n
-    if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
-    residual.push_back(body.load - body.rows.transpose() * state.pressure - carried);
-    misfit += body.rows * (state.elastic[b] + condensed[b].apply(residual[b]));
-  }
-  VectorXd change = VectorXd::Zero(gap.size());
-  if (!active.empty()) {
-    const MatrixXd transposed = interface.motion.transpose();
-    const auto closed = solve_closed(
-        interface.problem, active, interface.row.cwiseProduct(misfit),
-        transposed.triangularView<Eigen::Lower>().solve(statics.load - statics.rows.transpose() * state.pressure));
-    if (closed) {
-      change = closed->pressure.cwiseProduct(interface.row);
-      state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
-    }
-  }
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    state.elastic[b] += elastic_displacement(bodies[b], condensed[b], residual[b], change);
-  state.pressure = (state.pressure + change).cwiseMax(0);
-  return state;
-}
-
 /// A motion given in the bodies' bases, in terms of their `rigid`, its largest entry one.
-std::vector<VectorXd> in_terms_of_rigid(const std::vector<Body>& bodies, const std::vector<Motions>& bases,
+std::vector<VectorXd> in_terms_of_rigid(const std::vector<System>& bodies, const std::vector<Motions>& bases,
                                         const VectorXd& stacked) {
   std::vector<VectorXd> result;
   double largest = 0;
@@ -176,81 +129,176 @@ std::vector<VectorXd> in_terms_of_rigid(const std::vector<Body>& bodies, const s
 
 }  // namespace
 
-Solution solve(const std::vector<Body>& bodies, const VectorXd& gap, const std::vector<char>& guess) {
-  assert(!bodies.empty() && (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));
-  Solution solution;
-  Clock watch;
+struct Bodies::Factorised {
+  std::vector<System> systems;
   std::vector<Motions> bases;
-  for (const Body& body : bodies) bases.push_back(motions(body.rigid));
-  const Statics balanced = statics(bodies, bases);
-  solution.imbalance = balanced.imbalance;
-  if (!balanced.possible) {
-    solution.outcome = Outcome::no_equilibrium;
-    solution.motion = in_terms_of_rigid(bodies, bases, balanced.motion);
-    return solution;
-  }
-  solution.seconds.contact = watch.lap();
+  Statics statics;
+  std::vector<Condensed> condensed;  ///< up to the first that is not definite
+  int not_definite = -1;
+  MatrixXd compliance;  ///< F
+  Phases seconds;
 
-  const auto factorised = std::make_shared<std::vector<Condensed>>();
-  std::vector<Condensed>& condensed = *factorised;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body& body = bodies[b];
-    assert(body.stiffness.isCompressed() && body.rows.rows() == gap.size());
-    const std::vector<int> contact = contact_unknowns(body.rows);
-    condensed.push_back({pins(bases[b].basis, contact), Factor(body.stiffness, body.nodes, contact)});
-    solution.seconds.order += watch.lap();
-    const std::vector<int>& pinned = condensed[b].pinned;
-    Factor& factor = condensed[b].factor;
-    const bool definite =
-        pinned.empty() ? factor.factorise(body.stiffness) : factor.factorise(pinned_stiffness(body.stiffness, pinned));
-    solution.seconds.factorise += watch.lap();
-    if (!definite) {
-      solution.outcome = Outcome::not_definite;
-      solution.body = static_cast<int>(b);
-      return solution;
+  Interface interface(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced) const;
+  State refined(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced,
+                const Scaled& interface, const std::vector<Index>& active, State state) const;
+  std::vector<VectorXd> displacements(const State& state) const;
+};
+
+/// \param balanced e
+Interface Bodies::Factorised::interface(const std::vector<VectorXd>& loads, const VectorXd& gap,
+                                        const VectorXd& balanced) const {
+  std::vector<VectorXd> unhindered;
+  for (std::size_t b = 0; b < systems.size(); ++b) unhindered.push_back(condensed[b].apply(loads[b]));
+  const VectorXd free_approach = approach(systems, unhindered);
+  return {compliance, free_approach - gap, free_approach.cwiseAbs() + gap.cwiseAbs(), statics.rows, balanced};
+}
+
+/// One step of iterative refinement on the whole: what K u + Bᵀ p = f, the closed rows and Gᵀ p = e still lack.
+/// Rigid motions stay out of the residuals, so a large one does no harm. The rounding of all n rows of K adds up along
+/// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
+State Bodies::Factorised::refined(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced,
+                                  const Scaled& interface, const std::vector<Index>& active, State state) const {
+  std::vector<VectorXd> residual;
+  VectorXd misfit = statics.rows * state.motion - gap;
+  for (std::size_t b = 0; b < systems.size(); ++b) {
+    const System& body = systems[b];
+    VectorXd carried = body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
+    const MatrixXd& basis = bases[b].basis;  // basisᵀ basis = n
+    if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
+    residual.push_back(loads[b] - body.rows.transpose() * state.pressure - carried);
+    misfit += body.rows * (state.elastic[b] + condensed[b].apply(residual[b]));
+  }
+  VectorXd change = VectorXd::Zero(gap.size());
+  if (!active.empty()) {
+    const MatrixXd transposed = interface.motion.transpose();
+    const auto closed = solve_closed(
+        interface.problem, active, interface.row.cwiseProduct(misfit),
+        transposed.triangularView<Eigen::Lower>().solve(balanced - statics.rows.transpose() * state.pressure));
+    if (closed) {
+      change = closed->pressure.cwiseProduct(interface.row);
+      state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
     }
   }
+  for (std::size_t b = 0; b < systems.size(); ++b)
+    state.elastic[b] += elastic_displacement(systems[b], condensed[b], residual[b], change);
+  state.pressure = (state.pressure + change).cwiseMax(0);
+  return state;
+}
 
-  const Scaled interface = scaled(condense(bodies, condensed, balanced, gap));
+/// u of each body: of all solutions the one that moves least.
+std::vector<VectorXd> Bodies::Factorised::displacements(const State& state) const {
+  VectorXd motion = VectorXd::Zero(statics.free.rows());
+  motion(statics.resisted) = state.motion;
+  motion -= statics.free * (statics.free.transpose() * motion);
+  std::vector<VectorXd> result;
+  Index first = 0;
+  for (std::size_t b = 0; b < systems.size(); ++b) {
+    const Index k = bases[b].basis.cols();
+    result.push_back(state.elastic[b] + bases[b].basis * motion.segment(first, k));
+    first += k;
+  }
+  return result;
+}
+
+Bodies::Bodies(std::vector<System> systems) {
+  assert(!systems.empty());
+  Clock watch;
+  Factorised made{std::move(systems), {}, {}, {}, -1, {}, {}};
+  const Index m = made.systems.front().rows.rows();
+  for (const System& body : made.systems) made.bases.push_back(motions(body.rigid));
+  made.statics = statics(made.systems, made.bases);
+  made.seconds.contact = watch.lap();
+
+  for (std::size_t b = 0; b < made.systems.size() && made.not_definite < 0; ++b) {
+    const System& body = made.systems[b];
+    assert(body.stiffness.isCompressed() && body.rows.rows() == m);
+    const std::vector<int> contact = contact_unknowns(body.rows);
+    made.condensed.push_back({pins(made.bases[b].basis, contact), Factor(body.stiffness, body.nodes, contact)});
+    made.seconds.order += watch.lap();
+    const std::vector<int>& pinned = made.condensed[b].pinned;
+    Factor& factor = made.condensed[b].factor;
+    const bool definite =
+        pinned.empty() ? factor.factorise(body.stiffness) : factor.factorise(pinned_stiffness(body.stiffness, pinned));
+    if (!definite) made.not_definite = static_cast<int>(b);
+    made.seconds.factorise += watch.lap();
+  }
+
+  if (made.not_definite < 0) {
+    made.compliance = MatrixXd::Zero(m, m);
+    for (std::size_t b = 0; b < made.systems.size(); ++b)
+      if (made.systems[b].rows.nonZeros() > 0) add_compliance(made.systems[b].rows, made.condensed[b], made.compliance);
+  }
+  made.seconds.contact += watch.lap();
+  factorised_ = std::make_unique<const Factorised>(std::move(made));
+}
+
+Bodies::Bodies(Bodies&&) noexcept = default;
+Bodies& Bodies::operator=(Bodies&&) noexcept = default;
+Bodies::~Bodies() = default;
+
+const std::vector<System>& Bodies::systems() const { return factorised_->systems; }
+
+VectorXd Bodies::respond(int body, const VectorXd& force) const { return factorised_->condensed[body].apply(force); }
+
+Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, const std::vector<char>& guess) const {
+  const Factorised& bodies = *factorised_;
+  assert(loads.size() == bodies.systems.size() && gap.size() == bodies.systems.front().rows.rows() &&
+         (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));
+  Solution solution;
+  Clock watch;
+  solution.seconds = bodies.seconds;
+  const BalancedLoad balanced = balanced_load(bodies.statics, bodies.bases, loads);
+  solution.imbalance = balanced.imbalance;
+  if (!balanced.possible) {
+    solution.termination = Termination::no_equilibrium;
+    solution.motion = in_terms_of_rigid(bodies.systems, bodies.bases, balanced.motion);
+    return solution;
+  }
+  if (bodies.not_definite >= 0) {
+    solution.termination = Termination::not_definite;
+    solution.body = bodies.not_definite;
+    return solution;
+  }
+
+  const Scaled interface = scaled(bodies.interface(loads, gap, balanced.load));
   const Pressure found = minimise(interface, balanced.pressure, guess);
   solution.iterations = found.iterations;
-  solution.outcome = found.outcome;
+  solution.termination = found.termination;
   solution.seconds.contact += watch.lap();
-  if (found.outcome != Outcome::solved) return solution;
+  if (found.termination != Termination::solved) return solution;
 
   State state{{},
               interface.row.cwiseProduct(found.pressure),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    state.elastic.push_back(elastic_displacement(bodies[b], condensed[b], bodies[b].load, state.pressure));
-  state = refined(bodies, bases, condensed, balanced, gap, interface, found.active, std::move(state));
+  for (std::size_t b = 0; b < loads.size(); ++b)
+    state.elastic.push_back(elastic_displacement(bodies.systems[b], bodies.condensed[b], loads[b], state.pressure));
+  state = bodies.refined(loads, gap, balanced.load, interface, found.active, std::move(state));
 
-  VectorXd motion = VectorXd::Zero(balanced.free.rows());
-  motion(balanced.resisted) = state.motion;
-  motion -= balanced.free * (balanced.free.transpose() * motion);  // of all solutions the one that moves least
-  Index first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Index k = bases[b].basis.cols();
-    solution.displacement.push_back(state.elastic[b] + bases[b].basis * motion.segment(first, k));
-    first += k;
-  }
+  solution.displacement = bodies.displacements(state);
   solution.elastic = std::move(state.elastic);
   solution.pressure = std::move(state.pressure);
   solution.active.assign(gap.size(), 0);
   for (Index i : found.active) solution.active[i] = 1;
-  solution.respond = [factorised](int b, const VectorXd& force) { return (*factorised)[b].apply(force); };
   solution.seconds.recover = watch.lap();
   return solution;
 }
 
+Statistics statistics(const Bodies& bodies, const Solution& solution) {
+  Statistics result{0, 0, 0, solution.iterations, solution.imbalance, solution.seconds};
+  for (const System& body : bodies.systems()) result.unknowns += static_cast<int>(body.stiffness.cols());
+  result.rows = static_cast<int>(bodies.systems().front().rows.rows());
+  result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
+  return result;
+}
+
 std::string reason(const Solution& solution, const std::string& unknown, const std::vector<std::string>& bodies,
                    const std::string& no_equilibrium, const std::string& contradiction) {
-  switch (solution.outcome) {
-    case Outcome::solved:
-    case Outcome::not_converged: return "";
-    case Outcome::no_equilibrium: return unknown + ": " + no_equilibrium;
-    case Outcome::contradiction: return unknown + ": " + contradiction;
-    case Outcome::not_definite: break;
+  switch (solution.termination) {
+    case Termination::solved:
+    case Termination::not_converged: return "";
+    case Termination::no_equilibrium: return unknown + ": " + no_equilibrium;
+    case Termination::contradiction: return unknown + ": " + contradiction;
+    case Termination::not_definite: break;
   }
   return unknown + ": in floating point " +
          (solution.body < 0 ? "the contact holds a body by rounding only"

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
-#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,36 +12,46 @@
 /// systems in, pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
 namespace bracket::contact {
 
-/// One body: K u = f − Bᵀ p, where u are its unknowns and p the multipliers of all contact rows.
-struct Body {
+/// One body: K u = f − Bᵀ p, where u are its unknowns, f the load and p the multipliers of all contact rows.
+struct System {
   Eigen::SparseMatrix<double> stiffness;  ///< K, n × n, lower triangle; its kernel is spanned by `rigid`
   std::vector<int> nodes;            ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours (they are ordered
                                      ///< as one); begins with 0, ends with n
-  Eigen::VectorXd load;              ///< f, n
   Eigen::SparseMatrix<double> rows;  ///< B, m × n; the approach is r = Σ B u over the bodies
   Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
 };
 
 /// Seconds spent, by phase.
-struct Seconds {
+struct Phases {
+  double assemble = 0;
   double order = 0;  ///< fill-reducing ordering and symbolic factorisation
   double factorise = 0;
   double contact = 0;  ///< condensation and the interface problem
-  double recover = 0;  ///< the displacements
+  double recover = 0;  ///< the fields
 };
 
-enum class Outcome {
+/// What one formulation had to solve on one mesh, and what it took.
+struct Statistics {
+  int unknowns = 0;  ///< displacements, of nodes or edges, that are not prescribed
+  int rows = 0;      ///< of contact
+  int active_rows = 0;
+  int iterations = 0;    ///< of the active set, or Uzawa's
+  double imbalance = 0;  ///< see Solution
+  Phases seconds;
+};
+
+enum class Termination {
   solved,
   no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
   contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
-  not_converged,   ///< an iteration in place of solve() came to its limit; solve() itself ends after finitely many
+  not_converged,   ///< an iteration in place of Bodies::solve() came to its limit; that itself ends after finitely many
                    ///< steps
   not_definite     ///< in floating point a stiffness is not positive definite beside its rigid motions (`body` says
                    ///< which) or the contact holds a rigid motion by rounding only (`body` is −1)
 };
 
 struct Solution {
-  Outcome outcome = Outcome::solved;
+  Termination termination = Termination::solved;
   std::vector<Eigen::VectorXd> displacement;  ///< u of each body
   /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a
   /// stiff body on a soft one).
@@ -54,13 +64,38 @@ struct Solution {
   double imbalance = 0;
   std::vector<Eigen::VectorXd> motion;  ///< no_equilibrium: coefficients y of each body's `rigid` with G y ≤ 0, eᵀy > 0
   int body = -1;                        ///< not_definite
-  /// K⁺ f of body b, with the factor that solve() made; what f has of a resultant along a free motion is left out. For
-  /// corrections by a residual that the caller can evaluate better than from u.
-  std::function<Eigen::VectorXd(int b, const Eigen::VectorXd& force)> respond;
-  Seconds seconds;
+  Phases seconds;                       ///< with those of the factorisation that it used
 };
 
-/// While it lives, BLAS uses so many threads in the whole process; then as many as before. One where solve() runs in
+/// Bodies and their contact, each stiffness factorised once, to be solved for any loads and gaps:
+///     min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g,  by the problem in the multipliers,
+///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
+/// Without rows (m = 0) each body is just solved; without rigid motions nothing is balanced.
+class Bodies {
+ public:
+  /// Factorises them, the unknowns that rows touch last.
+  /// \pre at least one; matrices compressed, their rows sorted
+  /// \throw std::bad_alloc, also where it is CHOLMOD or METIS that the memory does not suffice for; so below
+  explicit Bodies(std::vector<System> systems);
+  Bodies(Bodies&&) noexcept;
+  Bodies& operator=(Bodies&&) noexcept;
+  ~Bodies();
+
+  const std::vector<System>& systems() const;
+  /// \param loads f of each body   \param gap g, m
+  /// \param guess rows expected to be active (m entries, or empty: all)
+  Solution solve(const std::vector<Eigen::VectorXd>& loads, const Eigen::VectorXd& gap,
+                 const std::vector<char>& guess = {}) const;
+  /// K⁺ f of one body; what f has of a resultant along a free motion is left out. For corrections by a residual that
+  /// the caller can evaluate better than from u. \pre solve() did not end as not_definite
+  Eigen::VectorXd respond(int body, const Eigen::VectorXd& force) const;
+
+ private:
+  struct Factorised;
+  std::unique_ptr<const Factorised> factorised_;
+};
+
+/// While it lives, BLAS uses so many threads in the whole process; then as many as before. One where they are solved in
 /// several threads at once: they would wait for each other. Without effect where BLAS is not OpenBLAS.
 class BlasThreads {
  public:
@@ -80,19 +115,12 @@ class BlasThreads {
 /// \throw std::bad_alloc
 void reserve_blas_memory(int callers);
 
-/// Solves  min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g  by the problem in the multipliers,
-///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
-/// Each K is factorised once, the unknowns that B touches last. Without rows (m = 0) each body is just solved; without
-/// rigid motions nothing is balanced.
-/// \pre at least one body; matrices compressed, their rows sorted
-/// \param gap g, m
-/// \param guess rows expected to be active (m entries, or empty: all)
-/// \throw std::bad_alloc, also where it is CHOLMOD or METIS that the memory does not suffice for
-Solution solve(const std::vector<Body>& bodies, const Eigen::VectorXd& gap, const std::vector<char>& guess = {});
+/// Of that solve; what the caller spent itself it adds.
+Statistics statistics(const Bodies& bodies, const Solution& solution);
 
-/// What the outcome means, in one line; empty: solved, or not_converged.
+/// What the termination means, in one line; empty: solved, or not_converged.
 /// \param unknown what was solved for, with which the line begins   \param bodies their names
-/// \param no_equilibrium, contradiction what these outcomes mean for that unknown
+/// \param no_equilibrium, contradiction what these mean for that unknown
 std::string reason(const Solution& solution, const std::string& unknown, const std::vector<std::string>& bodies,
                    const std::string& no_equilibrium, const std::string& contradiction);
 
@@ -110,7 +138,7 @@ Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double
 /// Sums dense symmetric cell matrices into a sparse one. The pattern is laid out once, from nodes.
 class Assembly {
  public:
-  /// \param nodes as in Body
+  /// \param nodes as in System
   /// \param cell_nodes the nodes of all cells, `nodes_per_cell` each, one cell after the other
   Assembly(std::vector<int> nodes, std::span<const int> cell_nodes, int nodes_per_cell);
   /// Adds a cell's matrix. \param unknowns its rows' places in the sum; −1: the row and column are left out

@@ -175,12 +175,12 @@ Pressure primal_active_set(const Interface& problem, const VectorXd& start) {
     const Index entering =
         violated(slack(problem, pressure, minimum.motion), slack_rounding(problem, minimum), set.rows(), !moved);
     moved = false;
-    if (entering < 0) return {Outcome::solved, pressure, minimum.motion, set.rows(), iteration};
+    if (entering < 0) return {Termination::solved, pressure, minimum.motion, set.rows(), iteration};
     if (set.append(entering)) continue;
 
     const VectorXd flat = set.flat_direction(entering);
     const auto falling = below(flat, -1e-7 * largest(flat), set.rows());
-    if (falling.empty()) return {Outcome::contradiction, {}, {}, {}, iteration};
+    if (falling.empty()) return {Termination::contradiction, {}, {}, {}, iteration};
     const Stop stop = first_stop(pressure, flat, falling);
     move(stop.step * flat, rounding);
     leave(stop.row);

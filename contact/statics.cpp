@@ -14,9 +14,9 @@ using Eigen::VectorXd;
 constexpr double rounding = 1e-10;  // of motions and loads, relative: below it they count as zero
 
 /// The largest entry of each row of [B_1 … B_b]; 1 for a row without entries.
-VectorXd row_sizes(const std::vector<Body>& bodies) {
+VectorXd row_sizes(const std::vector<System>& bodies) {
   VectorXd size = VectorXd::Zero(bodies.front().rows.rows());
-  for (const Body& body : bodies)
+  for (const System& body : bodies)
     for (int j = 0; j < body.rows.outerSize(); ++j)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(body.rows, j); entry; ++entry)
         size[entry.row()] = std::max(size[entry.row()], std::abs(entry.value()));
@@ -54,6 +54,12 @@ std::vector<Index> complement(const MatrixXd& free) {
   return result;
 }
 
+Index count(const std::vector<Motions>& motions) {
+  Index k = 0;
+  for (const Motions& body : motions) k += body.basis.cols();
+  return k;
+}
+
 }  // namespace
 
 Motions motions(const MatrixXd& rigid) {
@@ -87,30 +93,37 @@ std::vector<int> pins(const MatrixXd& basis, const std::vector<int>& contact) {
   return {order.data(), order.data() + basis.cols()};
 }
 
-Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& motions) {
+Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions) {
   const Index m = bodies.front().rows.rows();
-  Index k = 0;
-  for (const Motions& body : motions) k += body.basis.cols();
-  MatrixXd rows(m, k);
-  VectorXd load(k);
-  double size_of_loads = 0;
+  MatrixXd rows(m, count(motions));
   Index first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MatrixXd& basis = motions[b].basis;
     rows.middleCols(first, basis.cols()) = bodies[b].rows * basis;
-    load.segment(first, basis.cols()) = basis.transpose() * bodies[b].load;
-    if (basis.cols() > 0) size_of_loads += bodies[b].load.lpNorm<1>();
     first += basis.cols();
   }
   const VectorXd row_size = row_sizes(bodies);
   for (Index i = 0; i < m; ++i)  // a row must not seem to resist where it is the rounding of zero
     rows.row(i) = (rows.row(i).array().abs() < 1e-12 * row_size[i]).select(0, rows.row(i));
-  const MatrixXd unit_rows = row_size.cwiseInverse().asDiagonal() * rows;
+  const MatrixXd free = free_motions(row_size.cwiseInverse().asDiagonal() * rows);
+  const std::vector<Index> resisted = complement(free);
+  return {resisted, free, rows(Eigen::all, resisted), row_size};
+}
 
-  Statics result;
-  result.free = free_motions(unit_rows);
-  result.resisted = complement(result.free);
-  const VectorXd motion = result.free * (result.free.transpose() * load);
+BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
+                           const std::vector<VectorXd>& loads) {
+  VectorXd load(count(motions));
+  double size_of_loads = 0;
+  Index first = 0;
+  for (std::size_t b = 0; b < motions.size(); ++b) {
+    const MatrixXd& basis = motions[b].basis;
+    load.segment(first, basis.cols()) = basis.transpose() * loads[b];
+    if (basis.cols() > 0) size_of_loads += loads[b].lpNorm<1>();
+    first += basis.cols();
+  }
+
+  BalancedLoad result;
+  const VectorXd motion = statics.free * (statics.free.transpose() * load);
   double distance = 0;  // of the point that it moves most
   first = 0;
   for (const Motions& body : motions) {
@@ -126,20 +139,19 @@ Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& mot
     return result;
   }
 
-  const MatrixXd resisting = unit_rows(Eigen::all, result.resisted);
-  const VectorXd resisted_load = (load - motion)(result.resisted);
+  const MatrixXd resisting = statics.row_size.cwiseInverse().asDiagonal() * statics.rows;
+  const VectorXd resisted_load = (load - motion)(statics.resisted);
   const Balance found = balance(resisting, resisted_load, rounding * size_of_loads);
   if (!found.possible) {
     result.possible = false;
-    result.motion = VectorXd::Zero(k);
-    result.motion(result.resisted) = found.motion;
+    result.motion = VectorXd::Zero(load.size());
+    result.motion(statics.resisted) = found.motion;
     return result;
   }
   result.load = resisting.transpose() * found.pressure;
   if (size_of_loads > 0)
     result.imbalance = std::max(result.imbalance, (resisted_load - result.load).norm() / size_of_loads);
-  result.rows = rows(Eigen::all, result.resisted);
-  result.pressure = found.pressure.cwiseQuotient(row_size);
+  result.pressure = found.pressure.cwiseQuotient(statics.row_size);
   return result;
 }
 

@@ -27,19 +27,26 @@ std::vector<int> pins(const Eigen::MatrixXd& basis, const std::vector<int>& cont
 
 /// The bodies' equilibrium as wholes: Gᵀp = e, in a basis of those motions that contact resists at all.
 struct Statics {
-  bool possible = true;
   /// Motions that contact resists and that, with the free ones, are all: which of the bodies' bases, stacked (k of
   /// k_all).
   std::vector<Eigen::Index> resisted;
   Eigen::MatrixXd free;  ///< the motions that it does not resist: orthonormal coefficients of the bases (k_all × …)
   Eigen::MatrixXd rows;  ///< G (m × k): the approach by these motions
-  Eigen::VectorXd load;  ///< e (k), without what is taken for rounding
+  Eigen::VectorXd row_size;  ///< m: the largest entry of each row of B; 1 for a row without entries
+};
+/// \param motions of each body
+Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions);
+
+/// Loads that pressures hold, or not.
+struct BalancedLoad {
+  bool possible = true;
+  Eigen::VectorXd load;      ///< e (k), without what is taken for rounding
   Eigen::VectorXd pressure;  ///< one p ≥ 0 that balances it, with at most k entries > 0
   double imbalance = 0;      ///< as in Solution
   Eigen::VectorXd motion;    ///< not possible: coefficients of the bodies' bases, stacked (k_all)
 };
-
-/// \param motions of each body
-Statics statics(const std::vector<Body>& bodies, const std::vector<Motions>& motions);
+/// \param loads f of each body
+BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
+                           const std::vector<Eigen::VectorXd>& loads);
 
 }  // namespace bracket::contact

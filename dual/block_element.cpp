@@ -162,28 +162,29 @@ BlockElement block_element(const Triangle& t, const scene::Elasticity<2>& compli
   return block;
 }
 
-Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const BlockElement& block) {
-  return block.compliance.llt().matrixL().solve(block.loads.transpose());
+Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const Eigen::LLT<ModeMatrix>& compliance,
+                                                       const LoadMatrix& loads) {
+  return compliance.matrixL().solve(loads.transpose());
 }
 
-Corners stress_at_corners(const BlockElement& block, const ModeVector& amplitudes) {
+Corners stress_at_corners(const Eigen::Matrix3d& piola, const ModeVector& amplitudes) {
   const ReferenceBlock& reference = reference_block();
   Corners stress;
   for (int c = 0; c < 9; ++c) {
     Voigt<2> sum = Voigt<2>::Zero();
     for (int m = 0; m < n_modes; ++m) sum += amplitudes[m] * reference.modes[m][c];
-    stress[c] = block.piola * sum;
+    stress[c] = piola * sum;
   }
   return stress;
 }
 
-ModeVector coupling(const Triangle& t, const BlockElement& block, const scene::Elasticity<2>& compliance,
+ModeVector coupling(const Triangle& t, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                     const Corners& stress) {
   const Plane u = t[1] - t[0], v = t[2] - t[0];
   const double part_area = (u[0] * v[1] - u[1] * v[0]) / 6;
   ModeVector result = ModeVector::Zero();
   for (int m = 0; m < n_modes; ++m) {
-    const Corners mode = stress_at_corners(block, ModeVector::Unit(m));
+    const Corners mode = stress_at_corners(piola, ModeVector::Unit(m));
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a) {
         std::array<double, 3> strain, of_mode;
@@ -197,7 +198,7 @@ ModeVector coupling(const Triangle& t, const BlockElement& block, const scene::E
   return result;
 }
 
-Particular particular(const Triangle& t, const BlockElement& block, const scene::Elasticity<2>& compliance,
+Particular particular(const Triangle& t, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                       const scene::Vector<2>& force) {
   const Plane centroid = (t[0] + t[1] + t[2]) / 3;
   Particular field;
@@ -206,7 +207,7 @@ Particular particular(const Triangle& t, const BlockElement& block, const scene:
       const Plane x = part(t, k)[c] - centroid;
       field.stress[3 * k + c] = {-force[0] * x[0], -force[1] * x[1], 0};
     }
-  field.coupling = coupling(t, block, compliance, field.stress);
+  field.coupling = coupling(t, piola, compliance, field.stress);
   field.loads = edge_loads(t, field.stress);
   return field;
 }

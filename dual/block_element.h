@@ -40,13 +40,15 @@ struct BlockElement {
 BlockElement block_element(const Triangle& vertices, const scene::Elasticity<2>& compliance);
 
 /// W = L⁻¹ Gᵀ (9 × 12), where A = L Lᵀ: the stiffness for edge displacements is k = WᵀW = G A⁻¹ Gᵀ, of rank 9.
-Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const BlockElement& block);
+/// \param loads G, in whatever frames
+Eigen::Matrix<double, n_modes, n_loads> half_stiffness(const Eigen::LLT<ModeMatrix>& compliance,
+                                                       const LoadMatrix& loads);
 
-/// The stress Σ s_k τ_k at the corners.
-Corners stress_at_corners(const BlockElement& block, const ModeVector& amplitudes);
+/// The stress Σ s_k τ_k at the corners. \param piola as in BlockElement; so below
+Corners stress_at_corners(const Eigen::Matrix3d& piola, const ModeVector& amplitudes);
 
 /// ∫ τ_k : C⁻¹ λ over the cell, for a stress λ that is linear on the parts, given at their corners.
-ModeVector coupling(const Triangle& vertices, const BlockElement& block, const scene::Elasticity<2>& compliance,
+ModeVector coupling(const Triangle& vertices, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                     const Corners& stress);
 
 /// A linear field with div λ̄ = −F on one cell, zero at its centroid [HH81, §3: "simple integration"], and what it adds
@@ -56,7 +58,7 @@ struct Particular {
   ModeVector coupling;  ///< ∫ τ_k : C⁻¹ λ̄
   LoadVector loads;     ///< ∫ φ_i λ̄n by edges, as ReferenceBlock::loads
 };
-Particular particular(const Triangle& vertices, const BlockElement& block, const scene::Elasticity<2>& compliance,
+Particular particular(const Triangle& vertices, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                       const scene::Vector<2>& force);
 
 }  // namespace bracket::dual

@@ -22,7 +22,7 @@ Corners stress_by_moments(const Triangle& t, const LoadVector& moments) {
   Eigen::VectorXd pulled_back(n_loads);
   for (int i = 0; i < n_loads; i += 2) pulled_back.segment<2>(i) = b.inverse() * moments.segment<2>(i);
   const ModeVector amplitudes = loads.solve(pulled_back);
-  return stress_at_corners(block_element(t, scene::Elasticity<2>::Identity()), amplitudes);
+  return stress_at_corners(block_element(t, scene::Elasticity<2>::Identity()).piola, amplitudes);
 }
 
 /// Resultants and moment of side tractions: 3 × 12.

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dual/cells.h"
 
+#include <algorithm>
+
 namespace bracket::dual {
 
 using scene::Problem;
@@ -13,25 +15,56 @@ template <int dim> int end_of(const scene::Mesh<dim>& mesh, int edge, int vertex
 
 namespace {
 
-template <int dim> void set_boundary(const Problem<dim>& problem, std::vector<Edge>& edges) {
+template <int dim> void set_supports(const Problem<dim>& problem, std::vector<Edge>& edges) {
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const auto& facet = problem.mesh.boundary[f];
     const auto& data = problem.facets[f];
     if (data.support == Support::traction) continue;
-    Edge& edge = edges[facet.edge];
+    Edge& edge = edges[problem.mesh.boundary[f].edge];
     edge.normal_held = data.support != Support::contact;
     edge.tangent_held = data.support == Support::fixed;
-    if (data.support != Support::fixed) {
-      const Vector<dim>& n = data.normal;
-      edge.frame << n[0], n[1], -n[1], n[0];
-    }
+    if (data.support == Support::fixed) continue;
+    const Vector<dim>& n = data.normal;
+    edge.frame << n[0], n[1], -n[1], n[0];
+  }
+}
+
+template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
+  const auto& mesh = problem.mesh;
+  const BlockElement block = block_element(corners(mesh, c), problem.bodies[mesh.cell_body[c]].compliance);
+  Cell cell{block.piola, block.compliance.llt(), block.loads, {}};
+  for (int e = 0; e < 3; ++e) {
+    const int mesh_edge = mesh.cell_edges[c][e];
+    const Edge& edge = layout.edges[mesh_edge];
     for (int i = 0; i < 2; ++i) {
-      const int end = end_of(problem.mesh, facet.edge, facet.vertices[i]);
-      if (data.support == Support::fixed)
-        for (int c = 0; c < 2; ++c) edge.prescribed[2 * end + c] = data.displacement[i][c];
-      if (data.support == Support::sliding) edge.prescribed[2 * end] = data.normal_displacement[i];
+      const int row = 4 * e + 2 * i;
+      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
+      cell.loads.middleRows<2>(row) = (edge.frame * cell.loads.middleRows<2>(row)).eval();
+      for (int k = 0; k < 2; ++k) cell.unknowns[row + k] = edge.unknown[place + k];
     }
   }
+  return cell;
+}
+
+/// A cell's edge displacements that this boundary facet, one of its edges, prescribes. A facet runs along its cell's
+/// edge: its vertex i is the end i.
+template <int dim> void add_prescribed(const scene::FacetData<dim>& data, int edge_of_cell, LoadVector& displacements) {
+  for (int i = 0; i < 2; ++i) {
+    const int row = 4 * edge_of_cell + 2 * i;
+    if (data.support == Support::fixed) displacements.segment<2>(row) = data.displacement[i];
+    if (data.support == Support::sliding) displacements[row] = data.normal_displacement[i];
+  }
+}
+
+template <int dim> Particular weight(const Problem<dim>& problem, const Layout& layout, const Cell& cell, int c) {
+  const auto& mesh = problem.mesh;
+  const auto& body = problem.bodies[mesh.cell_body[c]];
+  Particular result = particular(corners(mesh, c), cell.piola, body.compliance, body.force);
+  for (int e = 0; e < 3; ++e)
+    for (int i = 0; i < 2; ++i) {
+      auto own = result.loads.segment<2>(4 * e + 2 * i);
+      own = (layout.edges[mesh.cell_edges[c][e]].frame * own).eval();
+    }
+  return result;
 }
 
 }  // namespace
@@ -42,7 +75,7 @@ template <int dim> Layout lay_out(const Problem<dim>& problem) {
   layout.edges.resize(mesh.edges.size());
   layout.body_cells.resize(mesh.bodies.size());
   layout.body_nodes.assign(mesh.bodies.size(), {0});
-  set_boundary(problem, layout.edges);
+  set_supports(problem, layout.edges);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int body = mesh.cell_body[c];
     layout.body_cells[body].push_back(static_cast<int>(c));
@@ -67,28 +100,38 @@ template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
   return {Vector<dim>::Zero(), mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]};
 }
 
-template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
-  const auto& mesh = problem.mesh;
-  const auto& body = problem.bodies[mesh.cell_body[c]];
-  const Triangle t = corners(mesh, c);
-  Cell cell;
-  cell.block = block_element(t, body.compliance);
-  if (!body.force.isZero(0)) cell.weight = particular(t, cell.block, body.compliance, body.force);
-  for (int e = 0; e < 3; ++e) {
-    const int mesh_edge = mesh.cell_edges[c][e];
-    const Edge& edge = layout.edges[mesh_edge];
-    for (int i = 0; i < 2; ++i) {
-      const int row = 4 * e + 2 * i;
-      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
-      cell.block.loads.middleRows<2>(row) = (edge.frame * cell.block.loads.middleRows<2>(row)).eval();
-      if (cell.weight) cell.weight->loads.segment<2>(row) = (edge.frame * cell.weight->loads.segment<2>(row)).eval();
-      for (int k = 0; k < 2; ++k) {
-        cell.unknowns[row + k] = edge.unknown[place + k];
-        cell.prescribed[row + k] = edge.prescribed[place + k];
-      }
-    }
+template <int dim> std::vector<Cell> make_cells(const Problem<dim>& problem, const Layout& layout) {
+  std::vector<Cell> cells;
+  cells.reserve(problem.mesh.cells.size());
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+    cells.push_back(make_cell(problem, layout, static_cast<int>(c)));
+  return cells;
+}
+
+int first_not_definite(const std::vector<Cell>& cells) {
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (cells[c].compliance.info() != Eigen::Success) return static_cast<int>(c);
+  return -1;
+}
+
+template <int dim> std::vector<LoadVector> prescribed_displacements(const Problem<dim>& problem) {
+  std::vector<LoadVector> result(problem.mesh.cells.size(), LoadVector::Zero());
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const auto& facet = problem.mesh.boundary[f];
+    add_prescribed(problem.facets[f], facet.local, result[facet.cell]);
   }
-  return cell;
+  const bool none = std::all_of(result.begin(), result.end(), [](const LoadVector& own) { return own.isZero(0); });
+  return none ? std::vector<LoadVector>{} : result;
+}
+
+template <int dim>
+std::vector<Particular> weights(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells) {
+  std::vector<Particular> result;
+  const bool none =
+      std::all_of(problem.bodies.begin(), problem.bodies.end(), [](const auto& body) { return body.force.isZero(0); });
+  for (std::size_t c = 0; !none && c < cells.size(); ++c)
+    result.push_back(weight(problem, layout, cells[c], static_cast<int>(c)));
+  return result;
 }
 
 LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns, const LoadVector& otherwise) {
@@ -111,7 +154,9 @@ template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
 template int end_of(const scene::Mesh<2>&, int, int);
 template Layout lay_out(const Problem<2>&);
 template Triangle corners(const scene::Mesh<2>&, int);
-template Cell make_cell(const Problem<2>&, const Layout&, int);
+template std::vector<Cell> make_cells(const Problem<2>&, const Layout&);
+template std::vector<LoadVector> prescribed_displacements(const Problem<2>&);
+template std::vector<Particular> weights(const Problem<2>&, const Layout&, const std::vector<Cell>&);
 template Eigen::VectorXd gap_moments(const Problem<2>&);
 
 }  // namespace bracket::dual

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "contact/contact.h"
 #include "scene/scene.h"
@@ -10,26 +11,38 @@
 namespace bracket::dual {
 
 template <int dim> struct Result {
-  contact::Outcome outcome = contact::Outcome::solved;
+  contact::Termination termination = contact::Termination::solved;
   std::string reason;  ///< if not solved: one line
   scene::Stress<dim> stress;
   std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
-  int unknowns = 0;          ///< edge displacements that are not prescribed
-  int rows = 0;
-  int active_rows = 0;
-  int iterations = 0;    ///< of the active set, or Uzawa's
-  double imbalance = 0;  ///< see contact::Solution
-  double assemble = 0;   ///< seconds
-  contact::Seconds seconds;
+  contact::Statistics statistics;
 };
 
 /// Minimises S over the block-element stresses in K⁺_{F,P} [HH81, (1.13), (2.12)] by the hybrid method: edge
 /// displacements, linear on each edge, are the multipliers of traction continuity; contact rows are the moments of r.
-/// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
+/// The bodies are factorised once and solved for any data.
+template <int dim> class Solver {
+ public:
+  explicit Solver(const scene::Problem<dim>& problem);
+
+  /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
+  ///     displacements are its own
+  /// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
+  /// \throw std::invalid_argument where other displacements are unknown, or other facets in contact, than in the
+  /// problem
+  ///     that was factorised
+  Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
+
+ private:
+  struct Factorised;
+  std::shared_ptr<const Factorised> factorised_;
+};
+
+/// The same, once.
 template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {});
 
 /// The same minimum by Uzawa's iteration on the multipliers of (3.13), (3.14) [HH81, §3], until the stress is known to
-/// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; its outcome is solved or
+/// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; it terminates as solved or
 /// not_converged, the latter also where no pressure balances the loads or the time is spent.
 /// \param particular λ̄ [HH81, §2]: linear on the parts of each cell, tractions continuous, div λ̄ = −F, λ̄n = P on
 ///     Γ_τ, no shear on Γ_0 and Γ_K, one pressure for both sides of Γ_K, which may be a tension (Remark 2.1)

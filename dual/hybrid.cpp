@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include <stdexcept>
 
 #include "contact/clock.h"
 #include "dual/cells.h"
@@ -35,7 +35,7 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
 /// Rows 2 j, 2 j + 1 of contact facet j: ∫ φ_i r over it, for the hat functions of the first facet's vertices 0 and 1.
 /// Both sides count their own outward normal displacement: r = u'·n' + u''·n''.
 template <int dim>
-void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::Body>& bodies) {
+void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::System>& bodies) {
   const auto& mesh = problem.mesh;
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
@@ -54,7 +54,7 @@ void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::ve
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    bodies[b].rows.resize(2 * problem.contact.size(), bodies[b].load.size());
+    bodies[b].rows.resize(2 * problem.contact.size(), bodies[b].nodes.back());
     bodies[b].rows.setFromTriplets(entries[b].begin(), entries[b].end());
   }
 }
@@ -77,27 +77,19 @@ Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout,
   return rigid;
 }
 
-/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and the loads of body forces and prescribed displacements.
-template <int dim> contact::Body assemble(const Problem<dim>& problem, const Layout& layout, int b) {
+/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave.
+template <int dim>
+contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells, int b) {
   std::vector<int> cell_nodes;
   for (const int c : layout.body_cells[b])
     for (const int e : problem.mesh.cell_edges[c]) cell_nodes.push_back(layout.edges[e].node);
-  contact::Body body;
+  contact::System body;
   body.nodes = layout.body_nodes[b];
-  body.load = Eigen::VectorXd::Zero(body.nodes.back());
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
   for (const int c : layout.body_cells[b]) {
-    const Cell cell = make_cell(problem, layout, c);
-    const auto half = half_stiffness(cell.block);
+    const auto half = half_stiffness(cells[c].compliance, cells[c].loads);
     const CellMatrix stiffness = half.transpose() * half;
-    assembly.add(cell.unknowns, stiffness);
-    LoadVector load = LoadVector::Zero();
-    if (!cell.prescribed.isZero(0)) load -= stiffness * cell.prescribed;
-    if (cell.weight)
-      load +=
-          half.transpose() * cell.block.compliance.llt().matrixL().solve(cell.weight->coupling) - cell.weight->loads;
-    for (int i = 0; i < n_loads; ++i)
-      if (cell.unknowns[i] >= 0) body.load[cell.unknowns[i]] += load[i];
+    assembly.add(cells[c].unknowns, stiffness);
   }
   body.stiffness = assembly.take();
   body.rigid = rigid_motions(problem, layout, b, body.nodes.back());
@@ -108,102 +100,155 @@ template <int dim> contact::Body assemble(const Problem<dim>& problem, const Lay
 using Amplitudes = std::vector<ModeVector>;
 
 /// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄)
-ModeVector amplitudes(const Cell& cell, const LoadVector& edges) {
-  ModeVector right = cell.block.loads.transpose() * edges;
-  if (cell.weight) right -= cell.weight->coupling;
-  return cell.block.compliance.llt().solve(right);
+ModeVector amplitudes(const Cell& cell, const LoadVector& edges, const Particular* weight) {
+  ModeVector right = cell.loads.transpose() * edges;
+  if (weight) right -= weight->coupling;
+  return cell.compliance.solve(right);
+}
+
+/// What the data of a problem do within its cells, empty where they do nothing anywhere.
+struct CellData {
+  std::vector<LoadVector> prescribed;
+  std::vector<Particular> weight;
+};
+const Particular* weight_of(const CellData& data, std::size_t cell) {
+  return data.weight.empty() ? nullptr : &data.weight[cell];
+}
+LoadVector prescribed_on(const CellData& data, std::size_t cell) {
+  return data.prescribed.empty() ? LoadVector::Zero() : data.prescribed[cell];
+}
+
+/// Takes the side loads of the modes and of λ̄ off the loads of each body.
+template <int dim>
+void subtract_tractions(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
+                        const Amplitudes& amplitude, std::vector<Eigen::VectorXd>& loads) {
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    Eigen::VectorXd& load = loads[problem.mesh.cell_body[c]];
+    LoadVector tractions = cells[c].loads * amplitude[c];
+    if (const Particular* weight = weight_of(data, c)) tractions += weight->loads;
+    for (int i = 0; i < n_loads; ++i)
+      if (cells[c].unknowns[i] >= 0) load[cells[c].unknowns[i]] -= tractions[i];
+  }
+}
+
+/// The loads of Γ_τ, of body forces and of prescribed displacements.
+template <int dim>
+std::vector<Eigen::VectorXd> all_loads(const Problem<dim>& problem, const std::vector<Cell>& cells,
+                                       const CellData& data, std::vector<Eigen::VectorXd> of_tractions) {
+  if (data.prescribed.empty() && data.weight.empty()) return of_tractions;
+  Amplitudes amplitude;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    amplitude.push_back(amplitudes(cells[c], prescribed_on(data, c), weight_of(data, c)));
+  subtract_tractions(problem, cells, data, amplitude, of_tractions);
+  return of_tractions;
 }
 
 /// Takes out what the tractions of the modes lack of continuity and of the given loads: the edge displacements are
 /// large against their differences within a cell, and their rounding is a jump of tractions. Evaluated from the
 /// amplitudes the jump is seen to the rounding of the stresses themselves, and one more solve removes it.
 template <int dim>
-void balance_tractions(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
-                       const contact::Solution& solution, Amplitudes& amplitude) {
-  std::vector<Eigen::VectorXd> residual = loads;
+Amplitudes balanced(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
+                    const contact::Bodies& bodies, std::vector<Eigen::VectorXd> loads, Amplitudes amplitude) {
+  subtract_tractions(problem, cells, data, amplitude, loads);
+  for (std::size_t b = 0; b < loads.size(); ++b) loads[b] = bodies.respond(static_cast<int>(b), loads[b]);
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    Eigen::VectorXd& r = residual[problem.mesh.cell_body[c]];
-    LoadVector tractions = cell.block.loads * amplitude[c];
-    if (cell.weight) tractions += cell.weight->loads;
-    for (int i = 0; i < n_loads; ++i)
-      if (cell.unknowns[i] >= 0) r[cell.unknowns[i]] -= tractions[i];
+    const LoadVector edges = edge_displacements(cells[c], loads[problem.mesh.cell_body[c]], LoadVector::Zero());
+    amplitude[c] += amplitudes(cells[c], edges, nullptr);
   }
-  std::vector<Eigen::VectorXd> correction;
-  for (std::size_t b = 0; b < residual.size(); ++b)
-    correction.push_back(solution.respond(static_cast<int>(b), residual[b]));
-  for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    const LoadVector edges = edge_displacements(cell, correction[problem.mesh.cell_body[c]], LoadVector::Zero());
-    amplitude[c] += cell.block.compliance.llt().solve(cell.block.loads.transpose() * edges);
-  }
+  return amplitude;
 }
 
 /// λ = λ̄ + Σ s_k τ_k at the corners. \param loads tractions and pressures on the edge displacements of each body
 template <int dim>
-scene::Stress<dim> recover(const Problem<dim>& problem, const Layout& layout, const std::vector<Eigen::VectorXd>& loads,
-                           const contact::Solution& solution) {
-  Amplitudes amplitude(problem.mesh.cells.size());
-  for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    const Eigen::VectorXd& elastic = solution.elastic[problem.mesh.cell_body[c]];
-    amplitude[c] = amplitudes(cell, edge_displacements(cell, elastic, cell.prescribed));
+scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
+                           const contact::Bodies& bodies, const std::vector<Eigen::VectorXd>& loads,
+                           const std::vector<Eigen::VectorXd>& elastic) {
+  Amplitudes amplitude;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const LoadVector edges = edge_displacements(cells[c], elastic[problem.mesh.cell_body[c]], prescribed_on(data, c));
+    amplitude.push_back(amplitudes(cells[c], edges, weight_of(data, c)));
   }
-  for (int step = 0; step < 2; ++step) balance_tractions(problem, layout, loads, solution, amplitude);
+  for (int step = 0; step < 2; ++step) amplitude = balanced(problem, cells, data, bodies, loads, std::move(amplitude));
   scene::Stress<dim> stress;
   stress.cell.resize(amplitude.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const Cell cell = make_cell(problem, layout, static_cast<int>(c));
-    stress.cell[c] = stress_at_corners(cell.block, amplitude[c]);
-    for (int i = 0; cell.weight && i < 9; ++i) stress.cell[c][i] += cell.weight->stress[i];
+    stress.cell[c] = stress_at_corners(cells[c].piola, amplitude[c]);
+    if (const Particular* weight = weight_of(data, c))
+      for (int i = 0; i < 9; ++i) stress.cell[c][i] += weight->stress[i];
   }
   return stress;
 }
 
 }  // namespace
 
-template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
+template <int dim> struct Solver<dim>::Factorised {
+  Layout layout;
+  std::vector<Cell> cells;
+  contact::Bodies bodies;
+  double assemble;  ///< seconds
+};
+
+template <int dim> Solver<dim>::Solver(const Problem<dim>& problem) {
   const Clock clock;
-  const Layout layout = lay_out(problem);
-  std::vector<contact::Body> bodies;
+  Layout layout = lay_out(problem);
+  std::vector<Cell> cells = make_cells(problem, layout);
+  std::vector<contact::System> systems;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b)
-    bodies.push_back(assemble(problem, layout, static_cast<int>(b)));
+    systems.push_back(assemble(problem, layout, cells, static_cast<int>(b)));
+  set_contact_rows(problem, layout, systems);
+  const double assembled = clock.seconds();
+  factorised_ = std::make_shared<const Factorised>(
+      Factorised{std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), assembled});
+}
+
+template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
+  const Clock clock;
+  const auto& [layout, cells, bodies, assembled] = *factorised_;
+  if (lay_out(problem).body_nodes != layout.body_nodes ||
+      2 * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
+    throw std::invalid_argument(
+        "dual::Solver: the problem has other unknowns or contact facets than the one that was "
+        "factorised");
+  const CellData data{prescribed_displacements(problem), weights(problem, layout, cells)};
   std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
-  for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].load += loads[b];
-  set_contact_rows(problem, layout, bodies);
-
-  Result<dim> result;
-  result.rows = static_cast<int>(2 * problem.contact.size());
-  for (const auto& body : bodies) result.unknowns += static_cast<int>(body.load.size());
-  result.assemble = clock.seconds();
-
+  const std::vector<Eigen::VectorXd> all = all_loads(problem, cells, data, loads);
   std::vector<char> guess;
   for (const char facet : closed) guess.insert(guess.end(), 2, facet);
-  contact::Solution solution = contact::solve(bodies, gap_moments(problem), guess);
-  result.outcome = solution.outcome;
+  const double of_data = clock.seconds();
+
+  contact::Solution solution = bodies.solve(all, gap_moments(problem), guess);
+  if (const int cell = first_not_definite(cells); cell >= 0) {
+    solution.termination = contact::Termination::not_definite;
+    solution.body = problem.mesh.cell_body[cell];
+  }
+  Result<dim> result;
+  result.termination = solution.termination;
   result.reason = contact::reason(
       solution, "stresses", problem.mesh.bodies,
       "on this mesh no admissible pressure balances the loads (their resultant passes too close to the end of a "
       "contact line for its edges); refine the mesh there, unless the resultant passes through the end itself: then no "
       "mesh has such a pressure",
       "the gaps and the prescribed displacements contradict each other");
-  result.iterations = solution.iterations;
-  result.imbalance = solution.imbalance;
-  if (solution.outcome == contact::Outcome::solved) {
+  if (solution.termination == contact::Termination::solved) {
     const Clock recovering;
-    for (std::size_t b = 0; b < bodies.size(); ++b) loads[b] -= bodies[b].rows.transpose() * solution.pressure;
-    result.stress = recover(problem, layout, loads, solution);
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies.systems()[b].rows.transpose() * solution.pressure;
+    result.stress = recover(problem, cells, data, bodies, loads, solution.elastic);
     solution.seconds.recover += recovering.seconds();
   }
-  result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
   result.closed.assign(problem.contact.size(), 0);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) result.closed[i / 2] = 1;
-  result.seconds = solution.seconds;
+  result.statistics = contact::statistics(bodies, solution);
+  result.statistics.seconds.assemble = assembled + of_data;
   return result;
 }
 
+template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
+  return Solver<dim>(problem).solve(problem, closed);
+}
+
 template struct Result<2>;
+template class Solver<2>;
 template Result<2> solve(const Problem<2>&, const std::vector<char>&);
 
 }  // namespace bracket::dual

@@ -77,12 +77,9 @@ Iterated iterate(const UzawaSystem& system, const std::function<bool()>& time_is
 }
 
 template <int dim>
-scene::Stress<dim> recover(const scene::Problem<dim>& problem, const Layout& layout, scene::Stress<dim> stress,
-                           const Parameters& parameters) {
+scene::Stress<dim> recover(const std::vector<Cell>& cells, scene::Stress<dim> stress, const Parameters& parameters) {
   for (std::size_t c = 0; c < parameters.size(); ++c) {
-    const BlockElement block = make_cell(problem, layout, static_cast<int>(c)).block;
-    const ModeVector amplitudes = block.compliance.llt().matrixU().solve(parameters[c]);
-    const Corners own = stress_at_corners(block, amplitudes);
+    const Corners own = stress_at_corners(cells[c].piola, cells[c].compliance.matrixU().solve(parameters[c]));
     for (int i = 0; i < 9; ++i) stress.cell[c][i] += own[i];
   }
   return stress;
@@ -95,22 +92,25 @@ Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& 
                   const std::function<bool()>& time_is_spent) {
   const Clock assembling;
   Result<dim> result;
-  const UzawaSystem system = uzawa_system(problem, particular);
-  result.assemble = assembling.seconds();
+  contact::Statistics& statistics = result.statistics;
+  const Layout layout = lay_out(problem);
+  const std::vector<Cell> cells = make_cells(problem, layout);
+  const UzawaSystem system = uzawa_system(problem, layout, cells, particular);
+  statistics.seconds.assemble = assembling.seconds();
   const Clock iterating;
   const Iterated state = iterate(system, time_is_spent);
-  result.seconds.contact = iterating.seconds();
-  result.unknowns = static_cast<int>(system.scale.size());
-  result.rows = static_cast<int>(system.openings.size());
-  result.iterations = state.iterations;
+  statistics.seconds.contact = iterating.seconds();
+  statistics.unknowns = static_cast<int>(system.scale.size());
+  statistics.rows = static_cast<int>(system.openings.size());
+  statistics.iterations = state.iterations;
   result.closed.assign(problem.contact.size(), 0);
-  for (int i = 0; i < result.rows; ++i)
+  for (int i = 0; i < statistics.rows; ++i)
     if (state.multipliers[system.openings[i].first] == 0) {
       result.closed[i / 2] = 1;
-      ++result.active_rows;
+      ++statistics.active_rows;
     }
   if (state.error > tolerance) {
-    result.outcome = contact::Outcome::not_converged;
+    result.termination = contact::Termination::not_converged;
     result.reason = state.out_of_time
                         ? fmt::format(
                               "stresses: the time is spent after {} iterations of Uzawa's method; write solve.dual = "
@@ -123,8 +123,8 @@ Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& 
     return result;
   }
   const Clock recovering;
-  result.stress = recover(problem, lay_out(problem), particular, state.parameters);
-  result.seconds.recover = recovering.seconds();
+  result.stress = recover(cells, particular, state.parameters);
+  statistics.seconds.recover = recovering.seconds();
   return result;
 }
 

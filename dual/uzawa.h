@@ -32,8 +32,10 @@ struct UzawaSystem {
   /// units and little on the sizes of cells and moduli.
   Eigen::VectorXd scale;
 };
-/// \param particular as for uzawa()
-template <int dim> UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular);
+/// \param cells make_cells()   \param particular as for uzawa()
+template <int dim>
+UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells,
+                         const scene::Stress<dim>& particular);
 
 /// The step of the iteration, 1.8 by an estimate of the largest eigenvalue of B A⁻¹ Bᵀ. The iteration converges for
 /// steps below 2 by the eigenvalue, of which 100 steps of the power method miss less than 0.88 ln n / 99 on average

@@ -26,14 +26,14 @@ Eigen::Matrix2d ends_from_moments(double length) {
   return 2 / length * inverse;
 }
 
+/// λ̄ takes the place of the cell's weight. \param prescribed displacements of its edges
 template <int dim>
-UzawaCell uzawa_cell(const Problem<dim>& problem, const Layout& layout, int c, int first_multiplier,
-                     const scene::Stress<dim>& particular) {
-  const Cell cell = make_cell(problem, layout, c);  // λ̄ takes the place of its weight
+UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell& cell, int c, const LoadVector& prescribed,
+                     int first_multiplier, const scene::Stress<dim>& particular) {
   const int body = problem.mesh.cell_body[c];
-  UzawaCell result{half_stiffness(cell.block), cell.unknowns, cell.prescribed, {}};
-  result.linear = cell.block.compliance.llt().matrixL().solve(
-      coupling(corners(problem.mesh, c), cell.block, problem.bodies[body].compliance, particular.cell[c]));
+  UzawaCell result{half_stiffness(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
+  result.linear = cell.compliance.matrixL().solve(
+      coupling(corners(problem.mesh, c), cell.piola, problem.bodies[body].compliance, particular.cell[c]));
   for (int& multiplier : result.multipliers)
     if (multiplier >= 0) multiplier += first_multiplier;
   return result;
@@ -111,13 +111,16 @@ Eigen::VectorXd diagonal(const UzawaSystem& system) {
 
 }  // namespace
 
-template <int dim> UzawaSystem uzawa_system(const Problem<dim>& problem, const scene::Stress<dim>& particular) {
-  const Layout layout = lay_out(problem);
+template <int dim>
+UzawaSystem uzawa_system(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells,
+                         const scene::Stress<dim>& particular) {
   const std::vector<int> first = first_multipliers(layout);
+  const std::vector<LoadVector> prescribed = prescribed_displacements(problem);
   UzawaSystem system;
-  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
-    system.cells.push_back(
-        uzawa_cell(problem, layout, static_cast<int>(c), first[problem.mesh.cell_body[c]], particular));
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    system.cells.push_back(uzawa_cell(problem, cells[c], static_cast<int>(c),
+                                      prescribed.empty() ? LoadVector::Zero() : prescribed[c],
+                                      first[problem.mesh.cell_body[c]], particular));
   take_ends_on_contact(problem, system.cells);
   system.openings = openings(problem, system.cells, particular);
   system.scale = Eigen::VectorXd::Ones(first.back());
@@ -165,6 +168,6 @@ Eigen::VectorXd next_multipliers(const UzawaSystem& system, const Eigen::VectorX
   return next;
 }
 
-template UzawaSystem uzawa_system(const Problem<2>&, const scene::Stress<2>&);
+template UzawaSystem uzawa_system(const Problem<2>&, const Layout&, const std::vector<Cell>&, const scene::Stress<2>&);
 
 }  // namespace bracket::dual

@@ -49,18 +49,15 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
   const dealii::FE_SimplexP<dim> element(degree);
   const dealii::MappingFE<dim> mapping(dealii::FE_SimplexP<dim>(1));
   const dealii::QGaussSimplex<dim> quadrature(2);  // exact for quadratics: gradients of degree 1, squared
-  dealii::FEValues<dim> values(mapping, element, quadrature,
-                               dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+  dealii::FEValues<dim> values(mapping, element, quadrature, dealii::update_gradients | dealii::update_JxW_values);
 
   const auto& material = problem.bodies[body];
   const int n = static_cast<int>(element.n_dofs_per_cell());
   Eigen::MatrixXd stiffness(dim * n, dim * n);
-  Eigen::VectorXd load(dim * n);
   Eigen::MatrixXd strain(scene::n_voigt<dim>, dim * n);
   for (const auto& cell : triangulation.active_cell_iterators()) {
     values.reinit(cell);
     stiffness.setZero();
-    load.setZero();
     strain.setZero();
     for (const unsigned int q : values.quadrature_point_indices()) {
       for (int i = 0; i < n; ++i) {
@@ -68,11 +65,10 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
         const int column = dim * place(i);
         strain(0, column) = strain(2, column + 1) = gradient[0];
         strain(1, column + 1) = strain(2, column) = gradient[1];
-        load.segment<dim>(column) += values.JxW(q) * values.shape_value(i, q) * material.force;
       }
       stiffness.noalias() += strain.transpose() * (values.JxW(q) * material.stiffness * strain).eval();
     }
-    use(cells[cell->active_cell_index()], stiffness, load);
+    use(cells[cell->active_cell_index()], stiffness);
   }
 }
 

@@ -11,8 +11,8 @@ namespace bracket::primal {
 /// Mesh::cell_edges). Two unknowns a node, x then y.
 inline int nodes_per_cell(int degree) { return degree == 1 ? 3 : 6; }
 
-/// What one cell adds: its stiffness ∫ ε(φ_i) : C ε(φ_j) and the load ∫ F·φ_i of the body force.
-using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load)>;
+/// What one cell adds: its stiffness ∫ ε(φ_i) : C ε(φ_j).
+using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness)>;
 
 /// Calls `use` for each cell of a body, in the order of the mesh.
 template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use);

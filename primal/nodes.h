@@ -19,7 +19,7 @@ template <int dim> struct Node {
 template <int dim> struct Nodes {
   int degree;
   std::vector<Node<dim>> node;
-  std::vector<std::vector<int>> body_nodes;  ///< offsets of the unknowns, as contact::Body::nodes
+  std::vector<std::vector<int>> body_nodes;  ///< offsets of the unknowns, as contact::System::nodes
   int at_vertex(int vertex) const { return vertex; }
   int at_edge(const scene::Mesh<dim>& mesh, int edge) const { return static_cast<int>(mesh.vertices.size()) + edge; }
 };
@@ -30,6 +30,7 @@ struct Row {
   struct Entry {
     int body, unknown;
     double coefficient;
+    bool operator==(const Entry&) const = default;
   };
   std::vector<Entry> entries;
   double bound;

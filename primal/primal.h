@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "contact/contact.h"
 #include "scene/scene.h"
 
@@ -8,30 +10,40 @@
 namespace bracket::primal {
 
 template <int dim> struct Result {
-  contact::Outcome outcome = contact::Outcome::solved;
+  contact::Termination termination = contact::Termination::solved;
   std::string reason;  ///< if not solved: one line, with the body and the motion
   scene::Displacement<dim> displacement;
   std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
-  int unknowns = 0;
-  int rows = 0;
-  int active_rows = 0;
-  int iterations = 0;
-  double imbalance = 0;  ///< see contact::Solution
-  double assemble = 0;   ///< seconds
-  contact::Seconds seconds;
+  contact::Statistics statistics;
 };
 
 /// What can be said of a contact without a solve: whether the displacements prescribed on both of its sides leave any
 /// that are admissible, K_h ≠ ∅ there.
-/// \param degree 1 or 2, as for solve()
+/// \param degree 1 or 2, as for Solver
 /// \throw scene::Error (ill_posed) where they alone already close a gap by more than it has
 template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
 
-/// Minimises the potential energy L over K_h ⊂ K. [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
-/// g on each contact facet.
-/// \param degree 1 or 2
-/// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
-/// \throw scene::Error as check_prescribed()
+/// Minimises the potential energy L over K_h ⊂ K [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
+/// g on each contact facet. The bodies are factorised once and solved for any data.
+template <int dim> class Solver {
+ public:
+  /// \param degree of the displacements
+  /// \throw std::invalid_argument if it is neither 1 nor 2; scene::Error as check_prescribed()
+  Solver(const scene::Problem<dim>& problem, int degree);
+
+  /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
+  ///     displacements are its own
+  /// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
+  /// \throw std::invalid_argument where other displacements are unknown, or contact needs other rows, than in the
+  ///     problem that was factorised; scene::Error as check_prescribed()
+  Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
+
+ private:
+  struct Factorised;
+  std::shared_ptr<const Factorised> factorised_;
+};
+
+/// The same, once.
 template <int dim>
 Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed = {});
 

@@ -124,7 +124,7 @@ dual::Corners shear_of_side(const scene::Mesh<2>& mesh, int cell, int side, doub
   const auto& v = mesh.cells[cell];
   const auto block = dual::block_element({mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]},
                                          scene::Elasticity<2>::Identity());
-  dual::Corners corners = dual::stress_at_corners(block, dual::ModeVector::Unit(6 + side));
+  dual::Corners corners = dual::stress_at_corners(block.piola, dual::ModeVector::Unit(6 + side));
   double greatest = 0;
   for (const Voigt<2>& s : corners) greatest = std::max(greatest, s.cwiseAbs().maxCoeff());
   for (Voigt<2>& s : corners) s *= size / greatest;

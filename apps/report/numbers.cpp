@@ -14,8 +14,8 @@ double up(double bound) {
   return std::ceil(bound / unit) * unit;
 }
 
-Phases phases(double assemble, const contact::Seconds& seconds) {
-  return {assemble, seconds.order, seconds.factorise, seconds.contact, seconds.recover};
+Phases phases(const contact::Phases& seconds) {
+  return {seconds.assemble, seconds.order, seconds.factorise, seconds.contact, seconds.recover};
 }
 
 }  // namespace
@@ -29,9 +29,9 @@ std::string percent(double ratio) {
   return rounded_up(100 * ratio) + " %";
 }
 
-Phases primal_phases(const bounds::Level& level) { return phases(level.primal_assemble, level.primal_phases); }
+Phases primal_phases(const bounds::Level& level) { return phases(level.primal.seconds); }
 
-Phases dual_phases(const bounds::Level& level) { return phases(level.dual_assemble, level.dual_phases); }
+Phases dual_phases(const bounds::Level& level) { return phases(level.dual.seconds); }
 
 Spent spent(const std::vector<bounds::Level>& levels) {
   Spent sum;

@@ -103,11 +103,11 @@ std::string levels(const Report& report) {
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
-    rows.push_back({fmt::to_string(i), fmt::to_string(level.cells), fmt::to_string(level.primal_dofs),
-                    fmt::to_string(level.dual_dofs), fmt::to_string(level.bracket.lower),
+    rows.push_back({fmt::to_string(i), fmt::to_string(level.cells), fmt::to_string(level.primal.unknowns),
+                    fmt::to_string(level.dual.unknowns), fmt::to_string(level.bracket.lower),
                     fmt::to_string(level.bracket.upper), percent(level.bracket.relative_error_bound),
-                    fmt::format("{} / {}", level.contact_active, level.contact_rows),
-                    fmt::format("{} / {}", level.dual_contact_active, level.dual_contact_rows),
+                    fmt::format("{} / {}", level.primal.active_rows, level.primal.rows),
+                    fmt::format("{} / {}", level.dual.active_rows, level.dual.rows),
                     fmt::format("{:.2f}", report.around[i].elapsed)});
   }
   return "<h2>Levels</h2>\n" +

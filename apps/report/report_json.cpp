@@ -74,12 +74,11 @@ Json heading(const scene::Scene<2>& scene) {
 
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
   const bounds::Seconds& seconds = level.seconds;
-  Json contact = interface_problem(level.contact_rows, level.contact_active, level.contact_iterations);
-  contact["dual"] =
-      interface_problem(level.dual_contact_rows, level.dual_contact_active, level.dual_contact_iterations);
+  Json contact = interface_problem(level.primal.rows, level.primal.active_rows, level.primal.iterations);
+  contact["dual"] = interface_problem(level.dual.rows, level.dual.active_rows, level.dual.iterations);
   return {{"cells", level.cells},
-          {"primal_dofs", level.primal_dofs},
-          {"dual_dofs", level.dual_dofs},
+          {"primal_dofs", level.primal.unknowns},
+          {"dual_dofs", level.dual.unknowns},
           {"lower", level.bracket.lower},
           {"upper", level.bracket.upper},
           {"relative_width", level.bracket.relative_width},
@@ -88,7 +87,7 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
           {"relative_error_bound", level.bracket.relative_error_bound},
           {"plain", plain_json(level)},
           {"oscillation_energy", level.oscillation_energy},
-          {"imbalance", {{"primal", level.primal_imbalance}, {"dual", level.dual_imbalance}}},
+          {"imbalance", {{"primal", level.primal.imbalance}, {"dual", level.dual.imbalance}}},
           {"seconds",
            {{"mesh", seconds.mesh},
             {"primal", seconds.primal},
@@ -154,9 +153,9 @@ std::string history_csv(const Report& report) {
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
-                        level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
-                        level.bracket.relative_width, level.bracket.relative_error_bound, level.contact_rows,
-                        level.contact_active, level.contact_iterations, level.seconds.mesh, level.seconds.primal,
+                        level.primal.unknowns, level.dual.unknowns, level.bracket.lower, level.bracket.upper,
+                        level.bracket.relative_width, level.bracket.relative_error_bound, level.primal.rows,
+                        level.primal.active_rows, level.primal.iterations, level.seconds.mesh, level.seconds.primal,
                         level.seconds.dual, level.seconds.estimate, level.seconds.certify, level.seconds.total,
                         report.around[i].write, report.around[i].elapsed, fmt::join(primal_phases(level), ","),
                         fmt::join(dual_phases(level), ","));

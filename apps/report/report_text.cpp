@@ -29,8 +29,8 @@ std::string level_table(const Report& report) {
                                  "displacements", "stresses", "lower bound", "upper bound", "error", "seconds");
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
-    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8.2f}\n", i, level.cells, level.primal_dofs,
-                        level.dual_dofs, level.bracket.lower, level.bracket.upper,
+    text += fmt::format("{:>5} {:>8} {:>13} {:>9} {:>24} {:>24} {:>9} {:>8.2f}\n", i, level.cells,
+                        level.primal.unknowns, level.dual.unknowns, level.bracket.lower, level.bracket.upper,
                         percent(level.bracket.relative_error_bound), level.seconds.total);
   }
   return text +
@@ -75,8 +75,8 @@ std::string contact_text(const Report& report) {
   const bounds::Level& level = report.outcome.levels.back();
   std::string text =
       fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
-                  level.contact_active, level.contact_rows, level.contact_iterations, level.dual_contact_active,
-                  level.dual_contact_rows, level.dual_contact_iterations);
+                  level.primal.active_rows, level.primal.rows, level.primal.iterations, level.dual.active_rows,
+                  level.dual.rows, level.dual.iterations);
   for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) text += pair_line(report, pair);
   return text;
 }

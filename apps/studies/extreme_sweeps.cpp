@@ -120,8 +120,8 @@ std::optional<double> edge_of_contact(const scene::Scene<2>& settings, const std
   std::vector<std::vector<bounds::ContactState>> states;
   for (const double s : {0.0, step}) {
     const bounds::Outcome<2> outcome = bounds::run(settings, changed(s));
-    if (outcome.levels.empty() || outcome.levels[0].contact_active < outcome.levels[0].contact_rows ||
-        outcome.levels[0].dual_contact_active < outcome.levels[0].dual_contact_rows)
+    if (outcome.levels.empty() || outcome.levels[0].primal.active_rows < outcome.levels[0].primal.rows ||
+        outcome.levels[0].dual.active_rows < outcome.levels[0].dual.rows)
       return std::nullopt;
     states.push_back(bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress));
   }

@@ -51,8 +51,8 @@ std::string study_text(const std::vector<Series>& all) {
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       const bounds::Level& level = series.levels[i];
       text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}", series.strategy, series.degree,
-                          level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
-                          percent(level.bracket.relative_error_bound));
+                          level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
+                          level.bracket.upper, percent(level.bracket.relative_error_bound));
       const std::vector<double> columns = seconds(level);
       text += fmt::format("{:>7.2f}{:>10.2f}{:>9.2f}\n", columns[0], fmt::join(columns.begin() + 1, columns.end(), ""),
                           series.elapsed[i]);
@@ -76,10 +76,10 @@ std::string study_csv(const std::vector<Series>& all) {
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       const bounds::Level& level = series.levels[i];
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", series.strategy, series.degree, i,
-                          level.cells, level.primal_dofs, level.dual_dofs, level.bracket.lower, level.bracket.upper,
-                          level.bracket.relative_error_bound, level.seconds.mesh, level.seconds.primal,
-                          level.seconds.dual, level.seconds.estimate, level.seconds.total, series.elapsed[i],
-                          fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
+                          level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
+                          level.bracket.upper, level.bracket.relative_error_bound, level.seconds.mesh,
+                          level.seconds.primal, level.seconds.dual, level.seconds.estimate, level.seconds.total,
+                          series.elapsed[i], fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
     }
   return text;
 }

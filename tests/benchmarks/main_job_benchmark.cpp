@@ -28,7 +28,7 @@ void report(benchmark::State& state, const bounds::Level& level) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   state.counters["cells"] = level.cells;
-  state.counters["unknowns"] = level.primal_dofs;
+  state.counters["unknowns"] = level.primal.unknowns;
   state.counters["primal_s"] = level.seconds.primal;
   state.counters["dual_s"] = level.seconds.dual;
   state.counters["estimate_s"] = level.seconds.estimate;

@@ -36,11 +36,11 @@ scene::Displacement<2> disturbed(const scene::Problem<2>& problem, scene::Displa
 TEST(GapIdentity, holds_for_any_displacement_that_keeps_the_supports) {
   const auto problem = tests::problem(tests::everything(3, 4, 2));
   const auto stresses = dual::solve(problem);
-  ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
+  ASSERT_EQ(stresses.termination, contact::Termination::solved) << stresses.reason;
   const double s = complementary_energy(problem, stresses.stress);
   for (const int degree : {1, 2}) {
     const auto displacements = primal::solve(problem, degree);
-    ASSERT_EQ(displacements.outcome, contact::Outcome::solved) << displacements.reason;
+    ASSERT_EQ(displacements.termination, contact::Termination::solved) << displacements.reason;
     for (const double size : {0.0, 1e-3, 1.0}) {
       const auto u = disturbed(problem, displacements.displacement, size, 5);
       const auto energy = potential_energy(problem, u);

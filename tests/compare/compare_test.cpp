@@ -199,7 +199,7 @@ TEST_P(Compared, formulations_approach_each_other) {
 TEST(Guess, does_not_change_the_solution) {
   const auto problem = tests::problem(tests::two_blocks(6));
   const auto stresses = dual::solve(problem);
-  ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
+  ASSERT_EQ(stresses.termination, contact::Termination::solved) << stresses.reason;
   const auto none = std::vector<char>(problem.contact.size(), 0);
   auto one = none, wrong = stresses.closed;
   one.back() = 1;
@@ -207,17 +207,17 @@ TEST(Guess, does_not_change_the_solution) {
   const double s = bounds::complementary_energy(problem, stresses.stress);
   for (const auto& guess : {none, one, wrong, stresses.closed}) {
     const auto other = dual::solve(problem, guess);
-    ASSERT_EQ(other.outcome, contact::Outcome::solved) << other.reason;
+    ASSERT_EQ(other.termination, contact::Termination::solved) << other.reason;
     EXPECT_EQ(other.closed, stresses.closed);
     EXPECT_NEAR(bounds::complementary_energy(problem, other.stress), s, 1e-12 * std::abs(s));
   }
   for (const int degree : {1, 2}) {
     const auto displacements = primal::solve(problem, degree);
-    ASSERT_EQ(displacements.outcome, contact::Outcome::solved) << displacements.reason;
+    ASSERT_EQ(displacements.termination, contact::Termination::solved) << displacements.reason;
     const double l = bounds::potential_energy(problem, displacements.displacement).total;
     for (const auto& guess : {none, one, wrong, displacements.closed}) {
       const auto other = primal::solve(problem, degree, guess);
-      ASSERT_EQ(other.outcome, contact::Outcome::solved) << other.reason;
+      ASSERT_EQ(other.termination, contact::Termination::solved) << other.reason;
       EXPECT_EQ(other.closed, displacements.closed);
       EXPECT_NEAR(bounds::potential_energy(problem, other.displacement).total, l, 1e-12 * std::abs(l));
     }

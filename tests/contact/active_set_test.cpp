@@ -49,7 +49,7 @@ std::optional<double> brute_force(const Interface& problem) {
 
 /// p ≥ 0, Gᵀp = e, slacks ≥ 0, zero where p > 0: sufficient for the minimum, since it is convex.
 void expect_optimal(const Interface& problem, const Pressure& found) {
-  ASSERT_EQ(found.outcome, Outcome::solved);
+  ASSERT_EQ(found.termination, Termination::solved);
   ASSERT_EQ(found.pressure.size(), problem.overlap.size());
   const VectorXd& p = found.pressure;
   const VectorXd terms = problem.compliance.cwiseAbs() * p + problem.size + problem.overlap.cwiseAbs() +
@@ -174,7 +174,7 @@ TEST(ActiveSet, ContradictionIsFoundAndOnlyThat) {
     const VectorXd overlap = Eigen::Vector2d(5 - 1, -5 - (clearance - 1));
     const Interface problem{rows * rows.transpose(), overlap, Eigen::Vector2d(6, 6), MatrixXd(2, 0), VectorXd(0)};
     const Pressure found = primal_active_set(scaled(problem).problem, VectorXd::Zero(2));
-    EXPECT_EQ(found.outcome, clearance < 0 ? Outcome::contradiction : Outcome::solved) << clearance;
+    EXPECT_EQ(found.termination, clearance < 0 ? Termination::contradiction : Termination::solved) << clearance;
   }
 }
 

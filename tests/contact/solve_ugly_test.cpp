@@ -10,8 +10,8 @@ using namespace test;
 
 constexpr double rounding = 60 * 1e2 * std::numeric_limits<double>::epsilon();  // as in solve_test.cpp
 
-void expect_solved(const std::vector<Body>& bodies, const VectorXd& gap, const Solution& solution) {
-  ASSERT_EQ(solution.outcome, Outcome::solved);
+void expect_solved(const std::vector<Loaded>& bodies, const VectorXd& gap, const Solution& solution) {
+  ASSERT_EQ(solution.termination, Termination::solved);
   const Kkt found = kkt(bodies, gap, solution);
   EXPECT_LE(found.equilibrium, rounding);
   EXPECT_LE(found.rigid, rounding);
@@ -35,8 +35,8 @@ TEST(SolveUgly, DependentRowsChangeNothingButTheSharesOfPressure) {
     for (Index i = 0; i < 6; ++i) bind(rows, i, i, Eigen::Vector2d(random_vector(2, random)).normalized());
     const VectorXd gap = 0.1 * random_vector(6, random);
     const VectorXd load = random_vector(18, random);
-    const std::vector<Body> plain{supported(truss, load, rows)};
-    const std::vector<Body> dependent{supported(truss, load, with_dependent_rows(rows))};
+    const std::vector<Loaded> plain{supported(truss, load, rows)};
+    const std::vector<Loaded> dependent{supported(truss, load, with_dependent_rows(rows))};
     const VectorXd gaps = with_dependent_rows(gap);
     const Solution one = solve(plain, gap), other = solve(dependent, gaps);
     expect_solved(plain, gap, one);
@@ -51,9 +51,9 @@ TEST(SolveUgly, ContradictingRows) {
   MatrixXd rows = MatrixXd::Zero(2, 18);
   bind(rows, 0, 4, {0, 1});
   bind(rows, 1, 4, {0, -1});
-  const std::vector<Body> bodies{supported(truss, random_vector(18, random), rows)};
-  EXPECT_EQ(solve(bodies, Eigen::Vector2d(-1, -1)).outcome, Outcome::contradiction);
-  EXPECT_EQ(solve(bodies, Eigen::Vector2d(1, -1.001)).outcome, Outcome::contradiction);
+  const std::vector<Loaded> bodies{supported(truss, random_vector(18, random), rows)};
+  EXPECT_EQ(solve(bodies, Eigen::Vector2d(-1, -1)).termination, Termination::contradiction);
+  EXPECT_EQ(solve(bodies, Eigen::Vector2d(1, -1.001)).termination, Termination::contradiction);
   const Eigen::Vector2d fitted(1, -1);
   expect_solved(bodies, fitted, solve(bodies, fitted));
 }
@@ -64,10 +64,10 @@ TEST(SolveUgly, EmptyRows) {
   const Truss truss = random_truss(9, random);
   MatrixXd rows = MatrixXd::Zero(2, 18);
   bind(rows, 0, 4, {0, 1});
-  const std::vector<Body> bodies{supported(truss, random_vector(18, random), rows)};
+  const std::vector<Loaded> bodies{supported(truss, random_vector(18, random), rows)};
   const Eigen::Vector2d open(0, 1), closed(0, -1);
   expect_solved(bodies, open, solve(bodies, open));
-  EXPECT_EQ(solve(bodies, closed).outcome, Outcome::contradiction);
+  EXPECT_EQ(solve(bodies, closed).termination, Termination::contradiction);
 }
 
 // All but three unknowns are in contact, so some that are pinned are, too.
@@ -78,7 +78,7 @@ TEST(SolveUgly, ContactEverywhere) {
     const MatrixXd rows = MatrixXd::Identity(12, 12);
     const VectorXd load = truss.stiffness * random_vector(12, random) + random_vector(12, random).cwiseAbs();
     const VectorXd gap = 0.1 * random_vector(12, random);
-    const std::vector<Body> bodies{floating(truss, load, rows)};
+    const std::vector<Loaded> bodies{floating(truss, load, rows)};
     expect_solved(bodies, gap, solve(bodies, gap));
   }
 }
@@ -88,9 +88,9 @@ TEST(SolveUgly, ABodyWithoutUnknowns) {
   const Truss truss = random_truss(9, random);
   MatrixXd rows = MatrixXd::Zero(1, 18);
   bind(rows, 0, 4, {0, 1});
-  const Body prescribed{
-      Eigen::SparseMatrix<double>(0, 0), {0, 0, 0}, VectorXd(0), Eigen::SparseMatrix<double>(1, 0), MatrixXd(0, 0)};
-  const std::vector<Body> bodies{prescribed, supported(truss, random_vector(18, random), rows)};
+  const Loaded prescribed{
+      {Eigen::SparseMatrix<double>(0, 0), {0, 0, 0}, Eigen::SparseMatrix<double>(1, 0), MatrixXd(0, 0)}, VectorXd(0)};
+  const std::vector<Loaded> bodies{prescribed, supported(truss, random_vector(18, random), rows)};
   const VectorXd gap = VectorXd::Constant(1, -1);
   const Solution solution = solve(bodies, gap);
   expect_solved(bodies, gap, solution);
@@ -101,16 +101,16 @@ TEST(SolveUgly, StiffnessThatIsNotDefinite) {
   std::mt19937 random(35);
   const Truss truss = random_truss(9, random);
   const VectorXd load = VectorXd::Zero(18);
-  const Body good = supported(truss, load, MatrixXd(0, 18));
-  Body forgotten = floating(truss, load, MatrixXd(0, 18));
+  const Loaded good = supported(truss, load, MatrixXd(0, 18));
+  Loaded forgotten = floating(truss, load, MatrixXd(0, 18));
   forgotten.rigid.resize(18, 0);  // its rigid motions are not told
   Solution solution = solve({good, forgotten}, VectorXd(0));
-  EXPECT_EQ(solution.outcome, Outcome::not_definite);
+  EXPECT_EQ(solution.termination, Termination::not_definite);
   EXPECT_EQ(solution.body, 1);
-  Body half = floating(truss, load, MatrixXd(0, 18));
+  Loaded half = floating(truss, load, MatrixXd(0, 18));
   half.rigid = half.rigid.leftCols(2).eval();
   solution = solve({half, good}, VectorXd(0));
-  EXPECT_EQ(solution.outcome, Outcome::not_definite);
+  EXPECT_EQ(solution.termination, Termination::not_definite);
   EXPECT_EQ(solution.body, 0);
 }
 
@@ -120,9 +120,9 @@ TEST(SolveUgly, NothingHappens) {
   const Truss truss = random_truss(9, random);
   MatrixXd rows = MatrixXd::Zero(4, 18);
   for (Index i = 0; i < 4; ++i) bind(rows, i, i, {0, 1});
-  for (const Body& body : {supported(truss, VectorXd::Zero(18), rows), floating(truss, VectorXd::Zero(18), rows)}) {
+  for (const Loaded& body : {supported(truss, VectorXd::Zero(18), rows), floating(truss, VectorXd::Zero(18), rows)}) {
     const Solution solution = solve({body}, VectorXd::Zero(4));
-    ASSERT_EQ(solution.outcome, Outcome::solved);
+    ASSERT_EQ(solution.termination, Termination::solved);
     EXPECT_EQ(solution.pressure.norm(), 0);
     EXPECT_EQ(solution.displacement[0].norm(), 0);
   }
@@ -145,9 +145,9 @@ TEST(SolveUgly, UnitsAndModuli) {
         // Stiffness is force by length; the joints' coordinates are lengths.
         Truss a{upper.joints * length, upper.stiffness * (force / length * ratio)};
         Truss b{under.joints * length, under.stiffness * (force / length)};
-        Body lying = supported(b, load * force, second);
+        Loaded lying = supported(b, load * force, second);
         lying.stiffness = lower(b.stiffness + MatrixXd::Identity(18, 18) * (force / length));
-        const std::vector<Body> bodies{floating(a, carried * force, first), lying};
+        const std::vector<Loaded> bodies{floating(a, carried * force, first), lying};
         expect_solved(bodies, gap * length, solve(bodies, gap * length));
       }
 }
@@ -160,12 +160,12 @@ TEST(SolveUgly, FarFromTheOrigin) {
   for (Index i = 0; i < 6; ++i) bind(rows, i, i, Eigen::Vector2d(random_vector(2, random)).normalized());
   const VectorXd load = rows.transpose() * random_vector(6, random).cwiseAbs();
   const VectorXd gap = VectorXd::Zero(6);
-  const std::vector<Body> near{floating(truss, load, rows)};
+  const std::vector<Loaded> near{floating(truss, load, rows)};
   truss.joints.array() += 1e4;
-  const std::vector<Body> far{floating(truss, load, rows)};
+  const std::vector<Loaded> far{floating(truss, load, rows)};
   const Solution one = solve(near, gap), other = solve(far, gap);
   expect_solved(near, gap, one);
-  ASSERT_EQ(other.outcome, Outcome::solved);
+  ASSERT_EQ(other.termination, Termination::solved);
   // The coordinates themselves have lost four digits.
   EXPECT_NEAR((one.pressure - other.pressure).norm(), 0, 1e4 * rounding * one.pressure.norm());
 }

@@ -54,19 +54,20 @@ TEST(Statics, SeparatesTheMotionsThatContactResists) {
   bind(rows, 0, 3, Eigen::Vector2d(0.6, 0.8));
   const Truss no_truss{truss.joints, truss.stiffness};
   const VectorXd load = rows.transpose() * VectorXd::Constant(1, 2.0);  // straight onto the row
-  const Body body = floating(no_truss, load, rows);
-  const Statics found = statics({body}, {motions(body.rigid)});
+  const Loaded body = floating(no_truss, load, rows);
+  const std::vector<Motions> bases{motions(body.rigid)};
+  const Statics all = statics({body}, bases);
+  EXPECT_EQ(all.resisted.size(), 1u);
+  const BalancedLoad found = balanced_load(all, bases, {load});
   ASSERT_TRUE(found.possible);
-  EXPECT_EQ(found.resisted.size(), 1u);
   EXPECT_NEAR(found.pressure[0], 2.0, 1e-13);
   EXPECT_LE(found.imbalance, 1e-15);
 
   VectorXd aside = load;
   aside[0] += 1e-6;  // out of balance along a motion that nothing resists
-  const Body pushed = floating(no_truss, aside, rows);
-  const Statics lost = statics({pushed}, {motions(pushed.rigid)});
+  const BalancedLoad lost = balanced_load(all, bases, {aside});
   ASSERT_FALSE(lost.possible);
-  EXPECT_GT((pushed.rigid.transpose() * aside).dot(motions(pushed.rigid).change.inverse() * lost.motion), 0);
+  EXPECT_GT((body.rigid.transpose() * aside).dot(bases[0].change.inverse() * lost.motion), 0);
 }
 
 // A body that slides along a line and turns about the origin, and a row straight through it: what is zero in all but
@@ -80,7 +81,7 @@ TEST(Statics, RowsThatResistNothingAreExactlyZero) {
     MatrixXd rows = MatrixXd::Zero(2, 14);
     bind(rows, 0, 3, normal);
     bind(rows, 1, 5, normal);
-    Body body = floating(truss, VectorXd::Zero(14), rows);
+    Loaded body = floating(truss, VectorXd::Zero(14), rows);
     const MatrixXd all = body.rigid;
     body.rigid.resize(14, 2);
     body.rigid << all.col(0) * normal.y() - all.col(1) * normal.x(), all.col(2);

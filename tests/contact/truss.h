@@ -65,15 +65,32 @@ inline std::vector<int> pairs(Index n_unknowns) {
   return nodes;
 }
 
+/// A body with its load.
+struct Loaded : System {
+  VectorXd load;
+};
+
+inline std::vector<System> systems_of(const std::vector<Loaded>& bodies) { return {bodies.begin(), bodies.end()}; }
+
+inline std::vector<VectorXd> loads_of(const std::vector<Loaded>& bodies) {
+  std::vector<VectorXd> loads;
+  for (const Loaded& body : bodies) loads.push_back(body.load);
+  return loads;
+}
+
+inline Solution solve(const std::vector<Loaded>& bodies, const VectorXd& gap, const std::vector<char>& guess = {}) {
+  return Bodies(systems_of(bodies)).solve(loads_of(bodies), gap, guess);
+}
+
 /// \param rows B, dense
-inline Body floating(const Truss& truss, const VectorXd& load, const MatrixXd& rows) {
-  return {lower(truss.stiffness), pairs(load.size()), load, rows.sparseView(), rigid_motions(truss.joints)};
+inline Loaded floating(const Truss& truss, const VectorXd& load, const MatrixXd& rows) {
+  return {{lower(truss.stiffness), pairs(load.size()), rows.sparseView(), rigid_motions(truss.joints)}, load};
 }
 
 /// The same on springs: no rigid motion is left.
-inline Body supported(const Truss& truss, const VectorXd& load, const MatrixXd& rows) {
+inline Loaded supported(const Truss& truss, const VectorXd& load, const MatrixXd& rows) {
   const MatrixXd stiffness = truss.stiffness + MatrixXd::Identity(load.size(), load.size());
-  return {lower(stiffness), pairs(load.size()), load, rows.sparseView(), MatrixXd(load.size(), 0)};
+  return {{lower(stiffness), pairs(load.size()), rows.sparseView(), MatrixXd(load.size(), 0)}, load};
 }
 
 inline VectorXd random_vector(Index n, std::mt19937& random) {
@@ -95,16 +112,16 @@ struct Kkt {
   double least_pressure = 0;
 };
 
-inline Kkt kkt(const std::vector<Body>& bodies, const VectorXd& gap, const Solution& solution) {
+inline Kkt kkt(const std::vector<Loaded>& bodies, const VectorXd& gap, const Solution& solution) {
   Kkt result;
   VectorXd approach = VectorXd::Zero(gap.size());
   VectorXd size = gap.cwiseAbs();
   const auto largest = [](const auto& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; };
   double forces = 0;
-  for (const Body& body : bodies) forces = std::max(forces, largest(body.load));
+  for (const Loaded& body : bodies) forces = std::max(forces, largest(body.load));
   forces = std::max(forces, largest(solution.pressure));
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Body& body = bodies[b];
+    const Loaded& body = bodies[b];
     const VectorXd acting = body.load - body.rows.transpose() * solution.pressure;
     const VectorXd residual = body.stiffness.selfadjointView<Eigen::Lower>() * solution.elastic[b] - acting;
     const VectorXd terms = symmetric(body.stiffness).cwiseAbs() * solution.elastic[b].cwiseAbs();

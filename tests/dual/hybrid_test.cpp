@@ -46,7 +46,7 @@ TEST(Hybrid, a_body_that_is_not_held_in_floating_point_is_named) {
   scene.bodies = {{"slab", scene::anisotropic<2>(Eigen::Vector3d(1, 1e-17, 1e-17).asDiagonal())}};
   scene.boundary = {{"slab.left", tests::fixed(0, 0)}};
   const auto result = solve(tests::problem(scene));
-  EXPECT_EQ(result.outcome, contact::Outcome::not_definite);
+  EXPECT_EQ(result.termination, contact::Termination::not_definite);
   EXPECT_NE(result.reason.find("'slab'"), std::string::npos) << result.reason;
 }
 
@@ -61,7 +61,7 @@ TEST(Uzawa, constant_stress_through_a_contact_is_found) {
   const auto scene = tests::patch(1e6, 0.3, 0.01, 1);
   const auto problem = scene::fix_data(scene, scene::build_mesh(scene));
   const auto result = uzawa(problem, none(problem.mesh));  // neither loads nor weight
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
   const double p = 1e6 / (1 - 0.09) * 0.01;
   // The iteration ends where the estimated error is 1e-9 of the stress; the estimate is given a factor of ten.
   EXPECT_LT(misfit(problem.mesh, result.stress, [&](const auto&) { return Voigt<2>(0, -p, 0); }), 1e-8 * p);
@@ -71,8 +71,8 @@ TEST(Hybrid, constant_stress_through_a_contact_is_exact) {
   const auto scene = tests::patch(1e6, 0.3, 0.01, 5);
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.1, 1));
   const auto result = solve(problem);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
-  EXPECT_EQ(result.active_rows, result.rows);
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
+  EXPECT_EQ(result.statistics.active_rows, result.statistics.rows);
   const double p = 1e6 / (1 - 0.09) * 0.01;
   EXPECT_LT(misfit(problem.mesh, result.stress, [&](const auto&) { return Voigt<2>(0, -p, 0); }), 1e-10 * p);
 }
@@ -82,7 +82,7 @@ TEST(Hybrid, linear_pressure_between_floating_bodies_is_exact) {
   const auto scene = tests::linear_pressure(p, 4, 3);
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.15, 2));
   const auto result = solve(problem);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
   const auto exact = [&](const Vector<2>& x) { return Voigt<2>(0, -p.p0 * (1 - p.c * x[0]), 0); };
   EXPECT_LT(misfit(problem.mesh, result.stress, exact), 1e-10 * p.p0);
 }
@@ -96,7 +96,7 @@ TEST(Hybrid, weight_on_a_wall_is_exact_without_lateral_strain) {
   scene.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.3, 3));
   const auto result = solve(problem);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
   EXPECT_LT(misfit(problem.mesh, result.stress, [](const auto& x) { return Voigt<2>(0, -0.5 * (1 - x[1]), 0); }),
             1e-11);
 }
@@ -105,9 +105,9 @@ TEST(Hybrid, tension_never_crosses_the_contact) {
   // A strong pull opens the contact; the pressure at the ends of each edge is what bounds it from below.
   const auto problem = tests::problem(tests::two_blocks(6));
   const auto result = solve(problem);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
-  EXPECT_GT(result.active_rows, 0);
-  EXPECT_LT(result.active_rows, result.rows);
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
+  EXPECT_GT(result.statistics.active_rows, 0);
+  EXPECT_LT(result.statistics.active_rows, result.statistics.rows);
   for (const auto& pair : problem.contact) {
     const auto& facet = problem.mesh.boundary[pair.first];
     for (int i = 0; i < 2; ++i) EXPECT_LT(result.stress.cell[facet.cell][3 * facet.local + i][1], 1e-12);
@@ -127,7 +127,7 @@ TEST(Hybrid, prescribed_displacements_enter_exactly) {
   for (const char* side : {"b.left", "b.right", "b.bottom", "b.top"}) scene.boundary[side] = linear;
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.3, 4));
   const auto result = solve(problem);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
   const Voigt<2> strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
   const Voigt<2> exact = scene.bodies["b"].stiffness * strain;
   EXPECT_LT(misfit(problem.mesh, result.stress, [&](const auto&) { return exact; }), 1e-12);

@@ -123,7 +123,7 @@ Parameters parameters_of(const Case& c, const Corners& mode) {
 
 std::array<Parameters, n_modes> all_modes(const Case& c, const BlockElement& block) {
   std::array<Parameters, n_modes> result;
-  for (int m = 0; m < n_modes; ++m) result[m] = parameters_of(c, stress_at_corners(block, ModeVector::Unit(m)));
+  for (int m = 0; m < n_modes; ++m) result[m] = parameters_of(c, stress_at_corners(block.piola, ModeVector::Unit(m)));
   return result;
 }
 

@@ -15,7 +15,7 @@ using scene::Vector;
 TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_exact) {
   const auto problem = tests::problem(tests::patch(3, 0.3, 0.01, 2));
   for (const int degree : {1, 2})
-    for_each_cell<2>(problem, 0, degree, [&](int cell, const Eigen::MatrixXd& k, const Eigen::VectorXd&) {
+    for_each_cell<2>(problem, 0, degree, [&](int cell, const Eigen::MatrixXd& k) {
       const auto& mesh = problem.mesh;
       const auto& v = mesh.cells[cell];
       const int n = nodes_per_cell(degree);
@@ -37,7 +37,7 @@ TEST(Displacements, patch_is_exact_for_both_degrees) {
   const auto problem = tests::problem(tests::patch(1e6, 0.3, 0.01, 3));
   for (const int degree : {1, 2}) {
     const auto result = solve(problem, degree);
-    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v)
       EXPECT_NEAR(result.displacement.vertex[v][1], -0.01 * (problem.mesh.vertices[v][1] + 0.5), 1e-14);
   }
@@ -54,7 +54,7 @@ TEST(Displacements, vertex_with_two_sliding_normals_has_both_displacements) {
   const auto problem = scene::fix_data(scene, mesh);
   for (const int degree : {1, 2}) {
     const auto result = solve(problem, degree);
-    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     int ends = 0;
     for (std::size_t f = 0; f < problem.facets.size(); ++f) {
       const auto& facet = problem.facets[f];
@@ -81,8 +81,8 @@ scene::Problem<2> wedge(double half_angle) {
 TEST(Displacements, vertex_with_two_contact_normals_keeps_both_rows) {
   const auto problem = wedge(0.7);
   const auto result = solve(problem, 2);
-  ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
-  EXPECT_EQ(result.rows, 2 * (4 + 5));  // middles and ends of both sides; the corner has one row of each
+  ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
+  EXPECT_EQ(result.statistics.rows, 2 * (4 + 5));  // middles and ends of both sides; the corner has one row of each
   for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v) {
     const auto& x = problem.mesh.vertices[v];
     if (x[0] == 0) {
@@ -104,7 +104,7 @@ TEST(ContactRows, decided_rows_are_dropped_or_refused) {
     const auto problem = tests::problem(scene);
     const auto rows = contact_rows(problem, make_nodes(problem, 2));
     EXPECT_EQ(rows.size(), 2u + 2u);  // two middles, the inner and the right end: the left end is clamped
-    EXPECT_EQ(solve(problem, 2).outcome, contact::Outcome::solved);
+    EXPECT_EQ(solve(problem, 2).termination, contact::Termination::solved);
   }
   scene.boundary["b.left"] = tests::fixed(0, -0.2);  // deeper than the gap
   try {
@@ -150,7 +150,7 @@ TEST(Displacements, a_body_that_is_not_held_in_floating_point_is_named) {
   scene.bodies = {{"slab", scene::isotropic<2>(1, 0.4999999999999999, false)}};
   scene.boundary = {{"slab.left", tests::fixed(0, 0)}};
   const auto result = solve(tests::problem(scene), 2);
-  EXPECT_EQ(result.outcome, contact::Outcome::not_definite);
+  EXPECT_EQ(result.termination, contact::Termination::not_definite);
   EXPECT_NE(result.reason.find("'slab'"), std::string::npos) << result.reason;
 }
 
@@ -164,7 +164,7 @@ TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
   const auto problem = tests::problem(scene);
   for (const int degree : {1, 2}) {
     const auto result = solve(problem, degree);
-    ASSERT_EQ(result.outcome, contact::Outcome::solved) << result.reason;
+    ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     const auto& facet = problem.mesh.boundary[problem.contact[0].first];
     const double a = result.displacement.vertex[facet.vertices[0]][1],
                  b = result.displacement.vertex[facet.vertices[1]][1];

@@ -165,7 +165,7 @@ TEST(BlockStress, is_that_of_the_block_elements_of_the_solver) {
   for (const auto& t : triangles()) {
     const auto element = dual::block_element(t, compliance);
     const dual::ModeVector amplitudes = dual::ModeVector::NullaryExpr([&] { return random(); });
-    const dual::Corners solver = dual::stress_at_corners(element, amplitudes);
+    const dual::Corners solver = dual::stress_at_corners(element.piola, amplitudes);
     const auto x = seen_from_first<double>(t);
     Loads<double> load;
     const auto at = [&](int i, int k) -> const scene::Voigt<2>& { return solver[3 * ((i + 2) % 3) + k]; };

@@ -127,8 +127,8 @@ template <class Check> void for_all_cases(const Check& check) {
       const auto problem = problem_of(c);
       const auto displacements = primal::solve(problem, degree);
       const auto stresses = dual::solve(problem);
-      ASSERT_EQ(displacements.outcome, contact::Outcome::solved) << displacements.reason;
-      ASSERT_EQ(stresses.outcome, contact::Outcome::solved) << stresses.reason;
+      ASSERT_EQ(displacements.termination, contact::Termination::solved) << displacements.reason;
+      ASSERT_EQ(stresses.termination, contact::Termination::solved) << stresses.reason;
       const Certificate certificate = certify(problem, displacements.displacement, stresses.stress);
       ASSERT_TRUE(certificate.valid) << certificate.reason;
       check(problem, certificate, judged(problem, displacements.displacement, stresses.stress));
@@ -256,7 +256,9 @@ TEST(Certificate, holds_exactly_on_random_scenes) {
     }
     const auto displacements = primal::solve(problem, degree);
     const auto stresses = dual::solve(problem);
-    if (displacements.outcome != contact::Outcome::solved || stresses.outcome != contact::Outcome::solved) continue;
+    if (displacements.termination != contact::Termination::solved ||
+        stresses.termination != contact::Termination::solved)
+      continue;
     const double noise = seed % 3 == 0 ? 1e-3 : 0;
     const auto u = tests::noisy(displacements.displacement, 1, noise, generator);
     const auto stress = tests::noisy(stresses.stress, 1, noise, generator);

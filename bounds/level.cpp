@@ -1,0 +1,187 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/level.h"
+
+#include <fmt/format.h>
+
+#include <future>
+
+#include "bounds/particular.h"
+#include "bounds/unstrained.h"
+
+namespace bracket::bounds {
+
+namespace {
+
+template <int dim>
+dual::Result<dim> solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+  if (scene.solve.dual == "uzawa")
+    return dual::uzawa(meshed.problem, particular_stress(meshed.problem),
+                       [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
+  return dual::solve(meshed.problem, meshed.dual_closed);
+}
+
+/// The two formulations side by side; each is mostly serial, so that two cores are well used.
+template <int dim>
+Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+  const Clock clock;
+  contact::reserve_blas_memory(2);
+  Examined<dim> solved;
+  auto stresses = std::async(std::launch::async, [&] {
+    solved.dual = solve_stresses(meshed, scene, run_clock);
+    solved.level.seconds.dual = clock.seconds();
+  });
+  solved.primal = primal::solve(meshed.problem, scene.solve.degree, meshed.primal_closed);
+  solved.level.seconds.primal = clock.seconds();
+  stresses.get();
+  solved.unsolved = solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;
+  return solved;
+}
+
+/// Two fields of one problem and their certificate.
+template <int dim> struct Pair {
+  scene::Displacement<dim> displacement;
+  scene::Stress<dim> stress;
+  Certificate certificate;
+};
+
+/// Where nothing is strained λ = 0 is the best stress and, if it is admissible, a translation of all bodies alike a
+/// displacement without rounding: none, or the one that some vertex is held by.
+template <int dim> Pair<dim> at_rest(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
+  const scene::Stress<dim> stress = no_stress(problem.mesh);
+  Pair<dim> best{displacement, stress, certify(problem, displacement, stress)};
+  std::vector<scene::Vector<dim>> translations = {scene::Vector<dim>::Zero()};
+  for (const auto& facet : problem.facets)
+    if (facet.support == scene::Support::fixed && translations.size() == 1)
+      translations.push_back(facet.displacement[0]);
+  for (const auto& translation : translations) {
+    const auto moved = translated(problem.mesh, displacement.degree, translation);
+    const Certificate other = certify(problem, moved, stress);
+    if (other.valid && (!best.certificate.valid || other.upper <= best.certificate.upper))
+      best = {moved, stress, other};
+  }
+  return best;
+}
+
+template <int dim>
+double largest_motion(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
+  double largest = 0;
+  for (const auto& u : displacement.vertex) largest = std::max(largest, u.norm());
+  for (const auto& pair : problem.contact)
+    for (const double gap : pair.upper) largest = std::max(largest, std::abs(gap));
+  return largest;
+}
+
+/// What some units in the last place of displacements and gaps do to L(u_h): near its minimum to second order in the
+/// bodies, to first order across the contact.
+template <int dim>
+double rounding_of_solution(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                            const scene::Stress<dim>& stress) {
+  const double size = 8 * std::numeric_limits<double>::epsilon() * largest_motion(problem, displacement);
+  double energy = energy_of_noise(problem, size);
+  const auto states = contact_state(problem, displacement, stress);
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const auto& [p0, p1] = states[j].pressure;
+    energy += scene::length(problem.mesh, problem.contact[j].first) * (std::abs(p0) + std::abs(p1)) / 2 * size;
+  }
+  return energy;
+}
+
+std::string uncertified(const Level& level) {
+  if (level.certificate.valid) return "";
+  const auto [name, value] = level.checks.worst();
+  return fmt::format(
+      "no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
+      "better shape, or moduli and sizes that differ less",
+      level.cells, level.certificate.reason, name, value);
+}
+
+/// All levels are of one problem, to the last bit: a contradiction proves that some bound is wrong.
+template <int dim> std::string contradiction(const Outcome<dim>& earlier, const Level& level) {
+  const auto [lower, upper] = std::pair(level.bracket.lower, level.bracket.upper);
+  const bool crossing = lower > upper;
+  if (!crossing && upper >= earlier.lower && lower <= earlier.upper) return "";
+  return fmt::format("{} on {} cells{}: a fault of this program; please report it with the scene",
+                     crossing ? "the bounds cross" : "the bounds", level.cells,
+                     crossing ? "" : " and those before exclude each other");
+}
+
+/// By more than what the two certificates added to the energies as computed, and rounding to the solution. That proves
+/// no bound wrong, but solvers that went astray.
+template <int dim>
+std::string risen(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined) {
+  if (earlier.levels.empty()) return "";
+  const auto own = [](const Level& of) { return std::abs(of.certificate.upper - of.plain.upper); };
+  const Level &level = examined.level, &last = earlier.levels.back();
+  const double risen = level.certificate.upper - last.certificate.upper, explained = own(level) + own(last);
+  if (risen <= explained ||
+      risen <= explained + rounding_of_solution(problem, examined.primal.displacement, examined.dual.stress))
+    return "";
+  return fmt::format(
+      "the upper bound rose from {} to {} on {} cells, although the spaces are nested: the solvers went "
+      "astray; the levels before stand",
+      last.certificate.upper, level.certificate.upper, level.cells);
+}
+
+}  // namespace
+
+template <int dim>
+Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
+                      const Clock& run_clock, const Observer<dim>& observer) {
+  const Clock clock;
+  const auto& problem = meshed.problem;
+  if (observer.stage) observer.stage(fmt::format("displacements and stresses on {} cells", problem.mesh.cells.size()));
+  Examined<dim> examined = solve_both(meshed, scene, run_clock);
+  if (!examined.unsolved.empty()) return examined;
+
+  if (observer.stage) observer.stage("estimate");
+  const Clock estimating;
+  auto& displacement = examined.primal.displacement;
+  auto& stress = examined.dual.stress;
+  Level& level = examined.level;
+  const Clock certifying;
+  examined.unstrained = earlier.empty() && is_unstrained(problem, displacement);
+  if (examined.unstrained) {
+    Pair<dim> rest = at_rest(problem, displacement);
+    displacement = std::move(rest.displacement);
+    stress = std::move(rest.stress);
+    level.certificate = rest.certificate;
+  } else {
+    level.certificate = certify(problem, displacement, stress);
+  }
+  level.seconds.certify = certifying.seconds();
+
+  examined.indicator = indicator(problem, displacement, stress);
+  level.cells = static_cast<int>(problem.mesh.cells.size());
+  level.primal = examined.primal.statistics;
+  level.dual = examined.dual.statistics;
+  level.plain = plain_energies(problem, displacement, stress, examined.indicator);
+  const Certificate& sure = level.certificate;
+  level.bracket = sure.valid ? bracket(sure.lower, sure.upper, sure.strain_energy, examined.indicator)
+                             : bracket(level.plain.lower, level.plain.upper, level.plain.strain, examined.indicator);
+  level.checks = admissibility(problem, displacement, stress);
+  level.checks.gap_identity = level.plain.gap_identity;
+  // The data were fixed on the first mesh, and so was what that did to the energy.
+  if (!earlier.empty())
+    level.oscillation_energy = earlier.front().oscillation_energy;
+  else if (!meshed.changed)
+    level.oscillation_energy = oscillation_energy(scene, problem, displacement, stress);
+  level.seconds.mesh = meshed.seconds;
+  level.seconds.estimate = estimating.seconds() - level.seconds.certify;
+  level.seconds.total = meshed.seconds + clock.seconds();
+  return examined;
+}
+
+template <int dim>
+Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined) {
+  const bool first = earlier.levels.empty();
+  if (const std::string why = uncertified(examined.level); !why.empty()) return {why, first, !first};
+  if (const std::string why = contradiction(earlier, examined.level); !why.empty()) return {why, true, false};
+  return {risen(earlier, problem, examined), false, true};
+}
+
+template struct Examined<2>;
+template Examined<2> examine(const scene::Scene<2>&, const Meshed<2>&, const std::vector<Level>&, const Clock&,
+                             const Observer<2>&);
+template Objection objection(const Outcome<2>&, const scene::Problem<2>&, const Examined<2>&);
+
+}  // namespace bracket::bounds

@@ -1,0 +1,49 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/bounds.h"
+#include "contact/clock.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
+
+/// What a run does on one mesh.
+namespace bracket::bounds {
+
+/// A problem to be solved, and what is expected of its contact.
+template <int dim> struct Meshed {
+  scene::Problem<dim> problem;
+  std::vector<char> primal_closed = {}, dual_closed = {};  ///< empty: unknown
+  double seconds = 0;                                      ///< that it took to make
+  bool changed = false;                                    ///< the data are no more those of the scene
+};
+
+/// Both formulations on one mesh, and what follows from their fields.
+template <int dim> struct Examined {
+  primal::Result<dim> primal;
+  dual::Result<dim> dual;
+  std::string unsolved;     ///< why one of them has no field; empty: both have, and the rest is set
+  bool unstrained = false;  ///< the bodies but follow the prescribed displacements and gaps: see is_unstrained()
+  Level level;
+  Indicator indicator;
+};
+
+/// {displacement | stress} → certificate, bracket, indicators.
+/// \param earlier levels of the run   \param run_clock since it began: Uzawa's iteration, alone in being slow, ends
+/// when
+///     the time is spent
+template <int dim>
+Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
+                      const Clock& run_clock, const Observer<dim>& observer);
+
+/// Why a level does not carry a run on.
+struct Objection {
+  std::string reason;       ///< empty: it does
+  bool reported = true;     ///< it is the run's last level all the same
+  bool guaranteed = false;  ///< what the levels before guarantee still holds
+};
+/// That it has no certificate; that its bounds contradict each other or those of earlier levels; that the upper bound
+/// rose although the displacement spaces are nested.
+template <int dim>
+Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined);
+
+}  // namespace bracket::bounds

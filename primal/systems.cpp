@@ -1,0 +1,165 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "primal/systems.h"
+
+#include "primal/elasticity.h"
+
+namespace bracket::primal {
+
+namespace {
+
+using scene::Problem;
+using scene::Support;
+using scene::Vector;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Indices into Nodes::node of a cell's nodes, in the order of elasticity.h.
+template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int cell) {
+  std::vector<int> list;
+  for (const int v : mesh.cells[cell]) list.push_back(nodes.at_vertex(v));
+  if (nodes.degree == 2)
+    for (const int e : mesh.cell_edges[cell]) list.push_back(nodes.at_edge(mesh, e));
+  return list;
+}
+
+/// Adds a cell to its body, its nodes written in their own directions: u = prescribed + directions q.
+template <int dim>
+void add_cell(const Nodes<dim>& nodes, const std::vector<int>& list, Eigen::MatrixXd stiffness,
+              contact::Assembly& assembly, Triplets& held) {
+  std::vector<int> unknowns(dim * list.size(), -1);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Node<dim>& node = nodes.node[list[i]];
+    for (int c = 0; c < node.free; ++c) unknowns[dim * i + c] = node.unknown + c;
+    if (!node.directions.isIdentity(0))
+      stiffness.middleRows<dim>(dim * i) = (node.directions.transpose() * stiffness.middleRows<dim>(dim * i)).eval();
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Node<dim>& node = nodes.node[list[i]];
+    for (int c = 0; node.free < dim && c < dim; ++c)
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        if (unknowns[k] >= 0) held.emplace_back(unknowns[k], dim * list[i] + c, stiffness(k, dim * i + c));
+    if (!node.directions.isIdentity(0))
+      stiffness.middleCols<dim>(dim * i) = (stiffness.middleCols<dim>(dim * i) * node.directions).eval();
+  }
+  assembly.add(unknowns, stiffness);
+}
+
+template <int dim> void set_rigid_motions(const Problem<dim>& problem, const Nodes<dim>& nodes, Systems<dim>& systems) {
+  const auto& mesh = problem.mesh;
+  std::vector<std::vector<scene::RigidMotion<dim>>> motions(systems.body.size());
+  for (std::size_t b = 0; b < motions.size(); ++b) {
+    motions[b] = scene::free_motions(problem, static_cast<int>(b));
+    systems.body[b].rigid = Eigen::MatrixXd::Zero(nodes.body_nodes[b].back(), motions[b].size());
+  }
+  const auto set = [&](int body, const Node<dim>& node, const Vector<dim>& x) {
+    for (std::size_t m = 0; m < motions[body].size(); ++m)
+      for (int k = 0; k < node.free; ++k)
+        systems.body[body].rigid(node.unknown + k, m) = node.directions.col(k).dot(displacement(motions[body][m], x));
+  };
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int body = mesh.cell_body[c];
+    if (motions[body].empty()) continue;
+    for (const int v : mesh.cells[c]) set(body, nodes.node[nodes.at_vertex(v)], mesh.vertices[v]);
+    if (nodes.degree == 1) continue;
+    for (const int e : mesh.cell_edges[c])
+      set(body, nodes.node[nodes.at_edge(mesh, e)],
+          (mesh.vertices[mesh.edges[e][0]] + mesh.vertices[mesh.edges[e][1]]) / 2);
+  }
+}
+
+template <int dim> void set_contact_rows(const std::vector<Row>& rows, const Nodes<dim>& nodes, Systems<dim>& systems) {
+  std::vector<Triplets> entries(systems.body.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& entry : rows[i].entries)
+      entries[entry.body].emplace_back(static_cast<int>(i), entry.unknown, entry.coefficient);
+  for (std::size_t b = 0; b < entries.size(); ++b) {
+    systems.body[b].rows.resize(rows.size(), nodes.body_nodes[b].back());
+    systems.body[b].rows.setFromTriplets(entries[b].begin(), entries[b].end());
+  }
+}
+
+template <int dim> void add_load(const Node<dim>& node, const Vector<dim>& force, Eigen::VectorXd& load) {
+  for (int k = 0; k < node.free; ++k) load[node.unknown + k] += node.directions.col(k).dot(force);
+}
+
+template <int dim>
+void add_weights(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<Eigen::VectorXd>& loads) {
+  const auto& mesh = problem.mesh;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int body = mesh.cell_body[c];
+    const Vector<dim>& force = problem.bodies[body].force;
+    if (force.isZero(0)) continue;
+    const Vector<dim> third =
+        force * (scene::volume(mesh, static_cast<int>(c)) / 3);  // ∫ φ = 0 at vertices of degree 2
+    if (nodes.degree == 1)
+      for (const int v : mesh.cells[c]) add_load<dim>(nodes.node[nodes.at_vertex(v)], third, loads[body]);
+    else
+      for (const int e : mesh.cell_edges[c]) add_load<dim>(nodes.node[nodes.at_edge(mesh, e)], third, loads[body]);
+  }
+}
+
+template <int dim>
+void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<Eigen::VectorXd>& loads) {
+  const auto& mesh = problem.mesh;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support != Support::traction) continue;
+    const auto& facet = mesh.boundary[f];
+    Eigen::VectorXd& load = loads[mesh.cell_body[facet.cell]];
+    const auto ends = scene::load(problem, static_cast<int>(f));
+    for (int i = 0; i < dim; ++i) {
+      const Vector<dim> force =
+          nodes.degree == 1 ? Vector<dim>((2 * ends[i] + ends[1 - i]) / 6) : Vector<dim>(ends[i] / 6);
+      add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
+    }
+    if (nodes.degree == 2) add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], (ends[0] + ends[1]) / 3, load);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows) {
+  const auto& mesh = problem.mesh;
+  Systems<dim> systems;
+  systems.body.resize(problem.bodies.size());
+  std::vector<std::vector<int>> numbers(problem.bodies.size());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c)))
+      numbers[mesh.cell_body[c]].push_back(nodes.node[i].number);
+  for (std::size_t b = 0; b < systems.body.size(); ++b) {
+    contact::System& body = systems.body[b];
+    body.nodes = nodes.body_nodes[b];
+    contact::Assembly assembly(body.nodes, numbers[b], nodes_per_cell(nodes.degree));
+    Triplets held;
+    for_each_cell<dim>(problem, static_cast<int>(b), nodes.degree, [&](int cell, const Eigen::MatrixXd& stiffness) {
+      add_cell(nodes, cell_nodes(mesh, nodes, cell), stiffness, assembly, held);
+    });
+    body.stiffness = assembly.take();
+    Eigen::SparseMatrix<double> columns(body.nodes.back(), dim * static_cast<int>(nodes.node.size()));
+    columns.setFromTriplets(held.begin(), held.end());
+    systems.held.push_back(std::move(columns));
+  }
+  set_rigid_motions(problem, nodes, systems);
+  set_contact_rows(rows, nodes, systems);
+  return systems;
+}
+
+template <int dim> std::vector<Eigen::VectorXd> loads(const Problem<dim>& problem, const Nodes<dim>& nodes) {
+  std::vector<Eigen::VectorXd> loads;
+  for (const auto& offsets : nodes.body_nodes) loads.push_back(Eigen::VectorXd::Zero(offsets.back()));
+  add_weights(problem, nodes, loads);
+  add_tractions(problem, nodes, loads);
+  return loads;
+}
+
+template <int dim> Eigen::VectorXd prescribed(const Nodes<dim>& nodes) {
+  Eigen::VectorXd all(dim * nodes.node.size());
+  for (std::size_t i = 0; i < nodes.node.size(); ++i) all.segment<dim>(dim * i) = nodes.node[i].prescribed;
+  return all;
+}
+
+template struct Systems<2>;
+template Systems<2> assemble(const Problem<2>&, const Nodes<2>&, const std::vector<Row>&);
+template std::vector<Eigen::VectorXd> loads(const Problem<2>&, const Nodes<2>&);
+template Eigen::VectorXd prescribed(const Nodes<2>&);
+
+}  // namespace bracket::primal

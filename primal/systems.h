@@ -1,0 +1,26 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact/contact.h"
+#include "primal/nodes.h"
+
+namespace bracket::primal {
+
+/// The bodies as linear systems in the unknowns of their nodes.
+template <int dim> struct Systems {
+  std::vector<contact::System> body;
+  /// K between a body's unknowns and the prescribed displacements of all nodes, component by component, in x and y:
+  /// what it takes off the load is this times them.
+  std::vector<Eigen::SparseMatrix<double>> held;
+};
+/// \param rows contact_rows()
+template <int dim>
+Systems<dim> assemble(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows);
+
+/// ∫ F·φ and ∫ P·φ over Γ_τ of each body, exact for constant F and linear P.
+template <int dim> std::vector<Eigen::VectorXd> loads(const scene::Problem<dim>& problem, const Nodes<dim>& nodes);
+
+/// The prescribed displacements of all nodes, as the columns of Systems::held.
+template <int dim> Eigen::VectorXd prescribed(const Nodes<dim>& nodes);
+
+}  // namespace bracket::primal
