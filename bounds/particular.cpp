@@ -1,7 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/particular.h"
 
-#include "bounds/certificate/equilibrate.h"
+#include "bounds/certificate/corrections.h"
+#include "bounds/certificate/tree.h"
 
 namespace bracket::bounds {
 

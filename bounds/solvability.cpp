@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "bounds/bounds.h"
-#include "bounds/certificate/equilibrate.h"
+#include "bounds/certificate/corrections.h"
 #include "bounds/certificate/links.h"
 #include "primal/primal.h"
 
@@ -80,8 +80,8 @@ template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const 
     if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = mesh.boundary[f];
     const auto ends = scene::load(problem, static_cast<int>(f));
-    for (int i = 0; i < dim; ++i)  // a linear load on a linear motion: hat-function moments at the ends
-      add(mesh.cell_body[facet.cell], (2 * ends[i] + ends[1 - i]) / 6, mesh.vertices[facet.vertices[i]]);
+    for (int i = 0; i < dim; ++i)  // a linear load on a linear motion
+      add(mesh.cell_body[facet.cell], scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
   }
   return result;
 }
@@ -95,12 +95,13 @@ std::string explain(const scene::Problem<dim>& problem, const FreeMotions<dim>& 
   Eigen::Index most = 0;
   y.cwiseAbs().maxCoeff(&most);
   const int body = all.body[most];
-  scene::RigidMotion<dim> motion{Vector<dim>::Zero(), 0, all.motion[most].centre};
+  scene::RigidMotion<dim> motion{Vector<dim>::Zero(), {}, all.motion[most].centre};
   const double unit = std::abs(y[most]);
   for (std::size_t m = 0; m < all.motion.size(); ++m) {
     if (all.body[m] != body || std::abs(y[m]) < negligible * unit) continue;
     motion.translation += y[m] / unit * all.motion[m].translation;
-    motion.rotation += y[m] / unit * all.motion[m].rotation;
+    for (std::size_t r = 0; r < motion.rotation.size(); ++r)
+      motion.rotation[r] += y[m] / unit * all.motion[m].rotation[r];
   }
   return fmt::format("body '{}' is pushed off: {} gains energy without end", problem.mesh.bodies[body],
                      scene::describe(motion));
@@ -175,10 +176,8 @@ scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all
         if (all.body[m] != mesh.cell_body[mesh.boundary[facets[j]].cell]) continue;
         const auto load = unit_loads(mesh, facets[j])[which];
         for (int i = 0; i < 2; ++i)
-          work(m, 3 * j + which) +=
-              (2 * load[i] + load[1 - i])
-                  .dot(displacement(all.motion[m], mesh.vertices[mesh.boundary[facets[j]].vertices[i]])) /
-              6;
+          work(m, 3 * j + which) += scene::hat_moment(load, i).dot(
+              displacement(all.motion[m], mesh.vertices[mesh.boundary[facets[j]].vertices[i]]));
       }
   const Eigen::VectorXd amounts = work.colPivHouseholderQr().solve(missing);
   for (std::size_t j = 0; j < facets.size(); ++j)

@@ -39,15 +39,12 @@ void paint(Raster& raster, const Tile& tile) {
 }  // namespace
 
 Raster rasterise(const std::vector<Tile>& tiles, int longest) {
-  scene::Vector<2> low = tiles[0].corner[0], high = low;
+  Eigen::AlignedBox2d box;
   for (const Tile& tile : tiles)
-    for (const scene::Vector<2>& corner : tile.corner) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
-  const scene::Vector<2> size = high - low;
+    for (const scene::Vector<2>& corner : tile.corner) box.extend(corner);
+  const scene::Vector<2> size = box.diagonal();
   Raster raster;
-  raster.low = low;
+  raster.low = box.min();
   raster.pixel = size.maxCoeff() / longest;
   raster.width = std::max(1, static_cast<int>(std::ceil(size.x() / raster.pixel - 1e-9)));
   raster.height = std::max(1, static_cast<int>(std::ceil(size.y() / raster.pixel - 1e-9)));

@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/studies/extreme_problems.h"
 
-#include <limits>
+#include "scene/problem/stretch.h"
 
 namespace bracket::apps {
 
@@ -192,19 +192,12 @@ Problem<2> with_piece_freed(Problem<2> problem, int facet, int end, const Vector
   return problem;
 }
 
-/// The quadratic with the Bernstein coefficients c on (0, 1), by those on (from, to).
-std::array<double, 3> restricted(const std::array<double, 3>& c, double from, double to) {
-  const auto blossom = [&](double s, double t) {
-    return (1 - t) * ((1 - s) * c[0] + s * c[1]) + t * ((1 - s) * c[1] + s * c[2]);
-  };
-  return {blossom(from, from), blossom(from, to), blossom(to, to)};
-}
-
 }  // namespace
 
 Problem<2> with_end_freed(Problem<2> problem, const ContactEnd& where, double distance) {
   scene::ContactFacet& contact = problem.contact[where.contact];
-  contact.lower = where.end == 0 ? restricted(contact.lower, distance, 1) : restricted(contact.lower, 0, 1 - distance);
+  contact.lower = where.end == 0 ? scene::on_stretch(contact.lower, distance, 1)
+                                 : scene::on_stretch(contact.lower, 0, 1 - distance);
   contact.upper = contact.lower;
   const auto [first, second] = std::pair(contact.first, contact.second);
   const auto& ends = problem.mesh.boundary[first].vertices;
@@ -218,8 +211,7 @@ Loading loading(const Problem<2>& problem) {
   const Mesh<2>& mesh = problem.mesh;
   Loading result;
   Vector<2> force = Vector<2>::Zero(), weighted = Vector<2>::Zero();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector<2> low = Vector<2>::Constant(infinity), high = -low;
+  Eigen::AlignedBox2d box;
   double length = 0;
   const auto ends = [&](int facet) {
     const auto& [a, b] = mesh.boundary[facet].vertices;
@@ -231,8 +223,7 @@ Loading loading(const Problem<2>& problem) {
     const int facet = static_cast<int>(f);
     const auto [a, b] = ends(facet);
     const double own = scene::length(mesh, facet);
-    low = low.cwiseMin(a).cwiseMin(b);
-    high = high.cwiseMax(a).cwiseMax(b);
+    box.extend(a).extend(b);
     const auto load = scene::load(problem, facet);
     force += (load[0] + load[1]) / 2;
     weighted += own / 2 * (a + b);
@@ -242,13 +233,13 @@ Loading loading(const Problem<2>& problem) {
   if (result.facets.empty()) return result;
   result.mean = force / length;
   result.centre = weighted / length;
-  const Vector<2> box = high - low;
-  result.reach = box[0] >= box[1] ? Vector<2>(box[0] / 2, 0) : Vector<2>(0, box[1] / 2);
+  const Vector<2> size = box.diagonal();
+  result.reach = size[0] >= size[1] ? Vector<2>(size[0] / 2, 0) : Vector<2>(0, size[1] / 2);
   for (const int facet : result.facets) {
     const auto load = scene::load(problem, facet);
     const auto x = ends(facet);
-    for (int i = 0; i < 2; ++i)  // linear times linear: moments of the hat functions
-      result.moment += (2 * load[i] + load[1 - i]).dot(result.mean) / 6 * (x[i] - result.centre).dot(result.reach);
+    for (int i = 0; i < 2; ++i)
+      result.moment += scene::hat_moment(load, i).dot(result.mean) * (x[i] - result.centre).dot(result.reach);
   }
   return result;
 }

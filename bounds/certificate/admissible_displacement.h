@@ -173,7 +173,8 @@ Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Nu
     for (int j = 0; j < 3; ++j) {
       if (j == m) continue;
       Plane<Number> slope = between<Number>(field.vertex[v[m]], field.vertex[v[j]]) + (shifts[v[j]] - shifts[v[m]]);
-      if (!bubbles.empty()) slope = slope + Number(4) * bubbles[mesh.cell_edges[cell][3 - m - j]];
+      if (!bubbles.empty())
+        slope = slope + Number(4) * bubbles[mesh.cell_edges[cell][scene::Simplex<2>::edge_between(m, j)]];
       xx += slope.x * gradient[j].x;
       yy += slope.y * gradient[j].y;
       xy += slope.x * gradient[j].y + slope.y * gradient[j].x;

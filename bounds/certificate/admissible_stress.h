@@ -20,6 +20,10 @@ struct PlainLoads {
                                                     ///< normal; Γ_K, first sides only: the pressure, ≥ 0
 };
 PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
+/// The loads of the data alone.
+PlainLoads no_loads(const scene::Problem<2>& problem);
+/// Which contact pairs press anywhere.
+std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLoads& loads);
 
 /// The same loads with `Number`, those of the data included.
 template <class Number> struct EdgeLoads {

@@ -2,17 +2,13 @@
 #pragma once
 
 #include "bounds/certificate/plane.h"
+#include "scene/problem/stretch.h"
 
 /// The bodies and their data as they are meant: cells, facets and data of the first mesh, cut at dyadic points. No
 /// coordinate of a vertex that refinement made is looked at.
 namespace bracket::bounds {
 
-/// a + t (b − a), exact at both ends.
-template <class Number> Number between_ends(const Number& a, const Number& b, double t) {
-  if (t == 0) return a;
-  if (t == 1) return b;
-  return a + Number(t) * (b - a);
-}
+using scene::between_ends;
 template <class Number> Plane<Number> between_ends(const Plane<Number>& a, const Plane<Number>& b, double t) {
   return {between_ends(a.x, b.x, t), between_ends(a.y, b.y, t)};
 }

@@ -88,7 +88,7 @@ std::string topology_fault(const Problem<2>& problem) {
     const Enclosure area = doubled_area(corners<Enclosure>(problem, static_cast<int>(c)));
     if (!(area.middle > area.radius)) return fmt::format("the area of cell {} is not positive with certainty", c);
     for (int k = 0; k < 3; ++k) {
-      const std::array<int, 2> walked = {mesh.cells[c][(k + 1) % 3], mesh.cells[c][(k + 2) % 3]};
+      const std::array<int, 2> walked = scene::facet_vertices(mesh, static_cast<int>(c), k);
       const std::array<int, 2>& edge = mesh.edges[mesh.cell_edges[c][k]];
       Walks& so_far = walks[mesh.cell_edges[c][k]];
       if (walked == edge)
@@ -108,8 +108,7 @@ std::string topology_fault(const Problem<2>& problem) {
   std::vector<char> seen(mesh.edges.size(), 0);
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[f];
-    const bool walked = mesh.cells[cell][(local + 1) % 3] == vertices[0] &&
-                        mesh.cells[cell][(local + 2) % 3] == vertices[1] && mesh.cell_edges[cell][local] == edge;
+    const bool walked = scene::facet_vertices(mesh, cell, local) == vertices && mesh.cell_edges[cell][local] == edge;
     if (!walked || seen[edge] || walks[edge].up + walks[edge].down != 1)
       return fmt::format("boundary facet {} is not an edge with one cell, walked as its cell walks it", f);
     seen[edge] = 1;
@@ -202,8 +201,7 @@ bool coincide(const Problem<2>& problem, const scene::ContactFacet& pair) {
 
 std::string contact_fault(const Problem<2>& problem) {
   const Problem<2>& first = scene::first_of(problem);
-  std::vector<int> contact_of_facet(first.facets.size(), -1);
-  for (std::size_t i = 0; i < first.contact.size(); ++i) contact_of_facet[first.contact[i].first] = static_cast<int>(i);
+  const std::vector<int> contact_of_facet = scene::contacts_by_first(first);
   std::vector<char> taken(problem.facets.size(), 0);
   for (const auto& pair : problem.contact) {
     const std::string name = fmt::format("the contact of boundary facet {}", pair.first);

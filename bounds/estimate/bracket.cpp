@@ -3,9 +3,12 @@
 #include <cmath>
 
 #include "bounds/estimate/on_mesh.h"
+#include "scene/problem/stretch.h"
+#include "scene/quadrature.h"
 
 namespace bracket::bounds {
 
+using scene::between_ends;
 using scene::Support;
 using scene::Vector;
 
@@ -35,21 +38,11 @@ Bracket bracket(double lower, double upper, double strain_energy, const Indicato
 
 namespace {
 
-/// Gauss–Legendre with five points on (0,1).
-constexpr std::array<double, 5> gauss_points = {0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
-                                                0.953089922969332};
-constexpr std::array<double, 5> gauss_weights = {0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
-                                                 0.23931433524968324, 0.11846344252809454};
-
 /// ∫ f over a facet, f a function of the position s in (0,1) along it.
 template <class Function> double over_facet(double length, const Function& f) {
   double sum = 0;
-  for (std::size_t q = 0; q < gauss_points.size(); ++q) sum += length * gauss_weights[q] * f(gauss_points[q]);
+  for (const auto& [x, weight] : scene::gauss_points<5>()) sum += length * weight / 2 * f((1 + x) / 2);
   return sum;
-}
-
-template <class Value> Value linear(const std::array<Value, 2>& ends, double s) {
-  return (1 - s) * ends[0] + s * ends[1];
 }
 
 double bernstein(const std::array<double, 3>& c, double s) {
@@ -80,7 +73,7 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
     const Vector<dim>& n = data.normal;
     const auto vector_at = [&](double s) -> Vector<dim> {
-      const Vector<dim> at = linear(x, s);
+      const Vector<dim> at = between_ends(x, s);
       if (given.value.size() == 1)
         return given.value[0](at) *
                (given.kind == ConditionKind::pressure ? Vector<dim>(-scene::normal(mesh, facet)) : n);
@@ -96,16 +89,17 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
       const std::array<Vector<dim>, 2> ends_of_u = {u[0], u[1]};
       const Vector<dim> mean = (u[0] + u[1]) / 2;
       energy += over_facet(length, [&](double s) {
-        const Vector<dim> rest = displacement.degree == 2 ? Vector<dim>(quadratic(u, s) - linear(ends_of_u, s))
-                                                          : Vector<dim>(linear(ends_of_u, s) - mean);
-        return (vector_at(s) - linear(traction, s)).norm() * rest.norm();
+        const Vector<dim> rest = displacement.degree == 2 ? Vector<dim>(quadratic(u, s) - between_ends(ends_of_u, s))
+                                                          : Vector<dim>(between_ends(ends_of_u, s) - mean);
+        return (vector_at(s) - between_ends(traction, s)).norm() * rest.norm();
       });
     } else {
       const auto t = tractions(mesh, stress, facet);
       energy += over_facet(length, [&](double s) {
-        const Vector<dim> fixed = data.support == Support::fixed ? linear(data.displacement, s)
-                                                                 : Vector<dim>(linear(data.normal_displacement, s) * n);
-        return std::abs((vector_at(s) - fixed).dot(linear(t, s)));
+        const Vector<dim> fixed = data.support == Support::fixed
+                                      ? between_ends(data.displacement, s)
+                                      : Vector<dim>(between_ends(data.normal_displacement, s) * n);
+        return std::abs((vector_at(s) - fixed).dot(between_ends(t, s)));
       });
     }
   }
@@ -115,8 +109,8 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
     const auto& ends = mesh.boundary[pair.first].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
     energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
-      const double moved = scene.contact[pair.pair].gap(linear(x, s)) - bernstein(pair.lower, s);
-      return std::abs(linear(states[j].pressure, s) * moved);
+      const double moved = scene.contact[pair.pair].gap(between_ends(x, s)) - bernstein(pair.lower, s);
+      return std::abs(between_ends(states[j].pressure, s) * moved);
     });
   }
   return energy;

@@ -61,21 +61,22 @@ double penetration(const scene::Problem<dim>& problem, const scene::Displacement
 
 /// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which
 /// are exact: far from the origin the centroid itself would be rounded by more than small cells bear.
-template <int dim> std::array<Vector<dim>, 3> part(const scene::Mesh<dim>& mesh, int cell, int k) {
-  const auto& v = mesh.cells[cell];
-  const Vector<dim>&a = mesh.vertices[v[(k + 1) % 3]], &b = mesh.vertices[v[(k + 2) % 3]], &c = mesh.vertices[v[k]];
-  return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<dim>::Zero()};
+std::array<Vector<2>, 3> part(const scene::Mesh<2>& mesh, int cell, int k) {
+  const auto [a, b] = scene::positions(mesh, scene::facet_vertices(mesh, cell, k));
+  const Vector<2>& c = mesh.vertices[mesh.cells[cell][k]];
+  return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<2>::Zero()};
 }
 
 /// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
-template <int dim> double equilibrium(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress, int cell) {
+double equilibrium(const scene::Problem<2>& problem, const scene::Stress<2>& stress, int cell) {
+  constexpr int dim = 2;
   const auto& mesh = problem.mesh;
-  const auto& corners = stress.cell[cell];
   double worst = 0;
   for (int k = 0; k < 3; ++k) {
     const auto x = part(mesh, cell, k);
     const Vector<dim>&a = x[0], &b = x[1];
-    const Voigt<dim> along_a = corners[3 * k] - corners[3 * k + 2], along_b = corners[3 * k + 1] - corners[3 * k + 2];
+    const auto corners = scene::stress_of_part(stress, cell, k);
+    const Voigt<dim> along_a = corners[0] - corners[2], along_b = corners[1] - corners[2];
     // Gradient of a linear field from its slopes along a and b.
     const double det = a[0] * b[1] - a[1] * b[0];
     const Voigt<dim> dx = (b[1] * along_a - a[1] * along_b) / det, dy = (a[0] * along_b - b[0] * along_a) / det;
@@ -83,31 +84,35 @@ template <int dim> double equilibrium(const scene::Problem<dim>& problem, const 
     const double diameter = std::max({a.norm(), b.norm(), (a - b).norm()});
     raise(worst, (divergence + problem.bodies[mesh.cell_body[cell]].force).norm() * diameter);
     // Corner 1 of part k and corner 0 of part k+1 are the same vertex; corner 2 is the centroid of both.
-    const Vector<dim> n = Vector<dim>(b[1], -b[0]).normalized();
-    const int next = 3 * ((k + 1) % 3);
-    raise(worst, traction<dim>(corners[3 * k + 1] - corners[next], n).norm());
-    raise(worst, traction<dim>(corners[3 * k + 2] - corners[next + 2], n).norm());
+    const Vector<dim> n = scene::area_vector<dim>({x[2], b}).normalized();
+    const auto next = scene::stress_of_part(stress, cell, (k + 1) % 3);
+    raise(worst, scene::traction<dim>(corners[1] - next[0], n).norm());
+    raise(worst, scene::traction<dim>(corners[2] - next[2], n).norm());
   }
   return worst;
 }
 
-/// λn at the two ends of every edge, from each of its cells; the lower vertex first.
+/// λn at the vertices of every facet, from each of its cells, in the order of their numbers; and, of the two sides of a
+/// contact, the first facet's.
 template <int dim> double interface_jump(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
-  std::vector<std::array<Vector<dim>, 2>> sum(mesh.edges.size(), {Vector<dim>::Zero(), Vector<dim>::Zero()});
+  const auto zero = scene::at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
+  std::vector<std::array<Vector<dim>, dim>> sum(scene::n_facets(mesh), zero);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const int edge = mesh.cell_edges[c][k];
-      const int a = mesh.cells[c][(k + 1) % 3], b = mesh.cells[c][(k + 2) % 3];
-      const Vector<dim> along = mesh.vertices[b] - mesh.vertices[a];
-      const Vector<dim> n = Vector<dim>(along[1], -along[0]).normalized();
-      sum[edge][a < b ? 0 : 1] += traction<dim>(stress.cell[c][3 * k], n);
-      sum[edge][a < b ? 1 : 0] += traction<dim>(stress.cell[c][3 * k + 1], n);
+    for (int k = 0; k <= dim; ++k) {
+      const int cell = static_cast<int>(c);
+      const auto vertices = scene::facet_vertices(mesh, cell, k);
+      const Vector<dim> n = scene::area_vector<dim>(scene::positions(mesh, vertices)).normalized();
+      const auto corners = scene::stress_of_part(stress, cell, k);
+      for (int i = 0; i < dim; ++i) {
+        const auto place = std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < vertices[i]; });
+        sum[scene::cell_facets(mesh, cell)[k]][place] += scene::traction<dim>(corners[i], n);
+      }
     }
-  for (const auto& facet : mesh.boundary) sum[facet.edge] = {Vector<dim>::Zero(), Vector<dim>::Zero()};
+  for (const auto& facet : mesh.boundary) sum[scene::cell_facets(mesh, facet.cell)[facet.local]] = zero;
   double worst = 0;
-  for (const auto& ends : sum)
-    for (const auto& jump : ends) raise(worst, jump.norm());
+  for (const auto& jumps : sum)
+    for (const auto& jump : jumps) raise(worst, jump.norm());
   for (const auto& pair : problem.contact) {
     if (pair.second < 0) continue;
     const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
@@ -131,7 +136,7 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
     const Vector<dim>& n = data.normal;
     const auto given = scene::load(problem, static_cast<int>(f));
     const double length = scene::length(problem.mesh, static_cast<int>(f));
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < dim; ++i) {
       if (data.support == Support::traction)
         raise(worst.traction, (t[i] - given[i] / length).norm());
       else

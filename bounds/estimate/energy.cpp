@@ -12,21 +12,18 @@ namespace {
 /// Sums over many cells are kept in extended precision: energies cancel to the width of the bracket.
 using Sum = long double;
 
-/// ∫ F·v over a cell: the midpoints of the edges carry a third each, exact for quadratics.
+/// ∫ F·v over a cell.
 template <int dim>
 double body_force_work(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                        const Vector<dim>& force, int cell) {
+  using Table = scene::Simplex<dim>;
+  const bool quadratic = displacement.degree == 2;
   Vector<dim> sum = Vector<dim>::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += displacement.degree == 2 ? displacement.edge[mesh.cell_edges[cell][k]]
-                                    : displacement.vertex[mesh.cells[cell][k]];
-  return scene::volume(mesh, cell) / 3 * force.dot(sum);
-}
-
-/// ∫ a·b over a facet of two linear fields.
-template <class Value>
-double linear_product(const Value& a0, const Value& a1, const Value& b0, const Value& b1, double length) {
-  return length / 6 * (2 * (a0 * b0 + a1 * b1) + a0 * b1 + a1 * b0);
+  for (int k = 0; k <= dim; ++k)
+    sum += (quadratic ? Table::quadratic_mean(k) : 1) * displacement.vertex[mesh.cells[cell][k]];
+  for (int e = 0; e < Table::n_edges && quadratic; ++e)
+    sum += Table::quadratic_mean(Table::n_vertices + e) * displacement.edge[mesh.cell_edges[cell][e]];
+  return scene::volume(mesh, cell) / (quadratic ? Table::quadratic_means_of : Table::n_vertices) * force.dot(sum);
 }
 
 }  // namespace
@@ -58,9 +55,9 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto& compliance = problem.bodies[mesh.cell_body[c]].compliance;
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
-    const double part = scene::volume(mesh, static_cast<int>(c)) / 3;
-    const auto& s = stress.cell[c];
-    for (int k = 0; k < 3; ++k) energy += integrate(form, std::array{s[3 * k], s[3 * k + 1], s[3 * k + 2]}, part);
+    const int cell = static_cast<int>(c);
+    const double part = scene::volume(mesh, cell) / (dim + 1);
+    for (int k = 0; k <= dim; ++k) energy += integrate(form, scene::stress_of_part(stress, cell, k), part);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -68,13 +65,15 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     const int facet = static_cast<int>(f);
     const auto t = tractions(mesh, stress, facet);
     const double length = scene::length(mesh, facet);
+    std::array<double, dim> force, given;
     if (data.support == Support::fixed) {
-      for (int c = 0; c < dim; ++c)
-        energy -= linear_product(t[0][c], t[1][c], data.displacement[0][c], data.displacement[1][c], length);
+      for (int c = 0; c < dim; ++c) {
+        for (int i = 0; i < dim; ++i) force[i] = t[i][c], given[i] = data.displacement[i][c];
+        energy -= scene::integral_of_product(force, given, length);
+      }
     } else {
-      const Vector<dim>& n = data.normal;
-      const auto& [u0, u1] = data.normal_displacement;
-      energy -= linear_product(t[0].dot(n), t[1].dot(n), u0, u1, length);
+      for (int i = 0; i < dim; ++i) force[i] = t[i].dot(data.normal);
+      energy -= scene::integral_of_product(force, data.normal_displacement, length);
     }
   }
   for (const auto& pair : problem.contact) {

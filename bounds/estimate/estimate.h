@@ -12,8 +12,8 @@ namespace bracket::bounds {
 
 /// σ(u_h) at the vertices of a cell, between which it is linear.
 template <int dim>
-std::array<scene::Voigt<dim>, 3> displacement_stress(const scene::Problem<dim>& problem,
-                                                     const scene::Displacement<dim>& displacement, int cell);
+std::array<scene::Voigt<dim>, dim + 1> displacement_stress(const scene::Problem<dim>& problem,
+                                                           const scene::Displacement<dim>& displacement, int cell);
 
 /// L(v) = ½ A(v,v) − ℓ(v) [HH81 §1], and its strain part ½ A(v,v).
 struct PotentialEnergy {

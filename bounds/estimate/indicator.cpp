@@ -44,12 +44,15 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
     const auto& compliance = problem.bodies[mesh.cell_body[c]].compliance;
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const auto sigma = displacement_stress(problem, displacement, cell);
-    const Voigt<dim> middle = (sigma[0] + sigma[1] + sigma[2]) / 3;
-    const auto& lambda = stress.cell[c];
-    const double part = scene::volume(mesh, cell) / 3;
-    for (int k = 0; k < 3; ++k) {
-      const std::array<Voigt<dim>, 3> difference = {sigma[(k + 1) % 3] - lambda[3 * k],
-                                                    sigma[(k + 2) % 3] - lambda[3 * k + 1], middle - lambda[3 * k + 2]};
+    Voigt<dim> middle = sigma[0];
+    for (int k = 1; k <= dim; ++k) middle += sigma[k];
+    middle /= dim + 1;
+    const double part = scene::volume(mesh, cell) / (dim + 1);
+    for (int k = 0; k <= dim; ++k) {
+      const auto lambda = scene::stress_of_part(stress, cell, k);
+      std::array<Voigt<dim>, dim + 1> difference;
+      for (int i = 0; i < dim; ++i) difference[i] = sigma[scene::Simplex<dim>::facets[k][i]] - lambda[i];
+      difference[dim] = middle - lambda[dim];
       result.cell[c] += integrate(form, difference, part);
     }
     sum += result.cell[c];

@@ -10,34 +10,35 @@ using scene::Vector;
 using scene::Voigt;
 
 template <int dim>
-std::array<Voigt<dim>, 3> strain_at_vertices(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
-                                             int cell) {
+std::array<Voigt<dim>, dim + 1> strain_at_vertices(const scene::Mesh<dim>& mesh,
+                                                   const scene::Displacement<dim>& displacement, int cell) {
+  using Table = scene::Simplex<dim>;
   const auto& v = mesh.cells[cell];
-  const double twice_area = 2 * scene::volume(mesh, cell);
-  std::array<Vector<dim>, 3> gradient;  // of the barycentric coordinates
-  for (int k = 0; k < 3; ++k) {
-    const Vector<dim> opposite = mesh.vertices[v[(k + 2) % 3]] - mesh.vertices[v[(k + 1) % 3]];
-    gradient[k] = Vector<dim>(-opposite[1], opposite[0]) / twice_area;
-  }
-  std::array<Voigt<dim>, 3> strain;
-  for (int m = 0; m < 3; ++m) {
+  const double scaled_volume = dim * scene::volume(mesh, cell);
+  std::array<Vector<dim>, dim + 1> gradient;  // of the barycentric coordinates
+  for (int k = 0; k <= dim; ++k)
+    gradient[k] =
+        -scene::area_vector<dim>(scene::positions(mesh, scene::facet_vertices(mesh, cell, k))) / scaled_volume;
+  std::array<Voigt<dim>, dim + 1> strain;
+  for (int m = 0; m <= dim; ++m) {
     // Differences to the vertex itself, so that a large rigid translation does not cancel in the gradient.
     const Vector<dim>& u = displacement.vertex[v[m]];
     Eigen::Matrix<double, dim, dim> g = Eigen::Matrix<double, dim, dim>::Zero();
-    for (int j = 0; j < 3; ++j) {
+    for (int j = 0; j <= dim; ++j) {
       if (j == m) continue;
       Vector<dim> slope = displacement.vertex[v[j]] - u;
-      if (displacement.degree == 2) slope = 4 * (displacement.edge[mesh.cell_edges[cell][3 - m - j]] - u) - slope;
+      if (displacement.degree == 2)
+        slope = 4 * (displacement.edge[mesh.cell_edges[cell][Table::edge_between(m, j)]] - u) - slope;
       g += slope * gradient[j].transpose();
     }
-    strain[m] = {g(0, 0), g(1, 1), g(0, 1) + g(1, 0)};
+    strain[m] = scene::strain<dim>(g);
   }
   return strain;
 }
 
 template <int dim>
-std::array<Voigt<dim>, 3> displacement_stress(const scene::Problem<dim>& problem,
-                                              const scene::Displacement<dim>& displacement, int cell) {
+std::array<Voigt<dim>, dim + 1> displacement_stress(const scene::Problem<dim>& problem,
+                                                    const scene::Displacement<dim>& displacement, int cell) {
   auto field = strain_at_vertices(problem.mesh, displacement, cell);
   for (auto& value : field) value = (problem.bodies[problem.mesh.cell_body[cell]].stiffness * value).eval();
   return field;
@@ -52,11 +53,14 @@ std::array<Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const scene::D
 }
 
 template <int dim>
-std::array<Vector<dim>, 2> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress, int facet) {
+std::array<Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress,
+                                                    int facet) {
   const auto& f = mesh.boundary[facet];
   const Vector<dim> n = scene::normal(mesh, facet);
-  const auto& corners = stress.cell[f.cell];
-  return {traction<dim>(corners[3 * f.local], n), traction<dim>(corners[3 * f.local + 1], n)};
+  const auto corners = scene::stress_of_part(stress, f.cell, f.local);
+  std::array<Vector<dim>, dim> result;
+  for (int i = 0; i < dim; ++i) result[i] = scene::traction<dim>(corners[i], n);
+  return result;
 }
 
 template <int dim> double largest_given(const scene::Problem<dim>& problem) {

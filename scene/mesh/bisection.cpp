@@ -1,10 +1,12 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: newest-vertex bisection of triangles, whose edges are their facets.
 #include <algorithm>
 #include <cassert>
 #include <tuple>
 
 #include "scene/enclosure.h"
 #include "scene/problem/refine.h"
+#include "scene/problem/stretch.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -149,7 +151,8 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
       add_cell(parent, old.cells[i], {halves.first[edges[0]], halves.first[edges[1]], halves.first[edges[2]]}, cut);
       continue;
     }
-    const int a = old.cells[i][cut], b = old.cells[i][(cut + 1) % 3], c = old.cells[i][(cut + 2) % 3];
+    const auto [b, c] = facet_vertices(old, parent, cut);
+    const int a = old.cells[i][cut];
     const int am = add_edge(a, m);
     const std::size_t first = mesh.cells.size();
     add_half(parent, {m, a, b}, ab, half_at(old, halves, bc, b), am);
@@ -187,19 +190,15 @@ std::vector<Piece<2>> pieces_of_cells(const Problem<2>& old, const Mesh<2>& mesh
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh.cells[c][i];
       for (int k = 0; k < 3; ++k) {
+        const auto& [from, to] = Simplex<2>::edges[k];
         if (vertices[k] == vertex) piece.corner[i] = whole.corner[k];
         if (halves.midpoint[old.mesh.cell_edges[parent][k]] == vertex)
-          piece.corner[i] = halfway(whole.corner[(k + 1) % 3], whole.corner[(k + 2) % 3]);
+          piece.corner[i] = halfway(whole.corner[from], whole.corner[to]);
       }
     }
     pieces.push_back(piece);
   }
   return pieces;
-}
-
-template <class Value> Value linear(const std::array<Value, 2>& ends, double t) {
-  if (t == 0 || t == 1) return ends[t == 0 ? 0 : 1];
-  return (1 - t) * ends[0] + t * ends[1];
 }
 
 /// The first mesh's data on a piece of one of its facets, rounded.
@@ -208,24 +207,13 @@ FacetData<2> on_piece(FacetData<2> data, const Piece<1>& piece) {
   const double width = piece.corner[1][0] - piece.corner[0][0];
   for (int i = 0; i < 2; ++i) {
     const double t = piece.corner[i][0];
-    data.traction[i] = linear(given.traction, t);
-    data.pressure[i] = linear(given.pressure, t);
-    data.correction[i] = width * linear(given.correction, t);
-    data.displacement[i] = linear(given.displacement, t);
-    data.normal_displacement[i] = linear(given.normal_displacement, t);
+    data.traction[i] = between_ends(given.traction, t);
+    data.pressure[i] = between_ends(given.pressure, t);
+    data.correction[i] = width * between_ends(given.correction, t);
+    data.displacement[i] = between_ends(given.displacement, t);
+    data.normal_displacement[i] = between_ends(given.normal_displacement, t);
   }
   return data;
-}
-
-/// Bernstein coefficients of a quadratic on the stretch [from, to] of its facet: its blossom.
-std::array<Enclosure, 3> on_stretch(const std::array<double, 3>& whole, double from, double to) {
-  const auto between = [](const Enclosure& a, const Enclosure& b, double t) {
-    return t == 0 ? a : t == 1 ? b : a + Enclosure(t) * (b - a);
-  };
-  const auto blossom = [&](double s, double t) {
-    return between(between(whole[0], whole[1], s), between(whole[1], whole[2], s), t);
-  };
-  return {blossom(from, from), blossom(from, to), blossom(to, to)};
 }
 
 /// Fills the boundary and its data. \return with the first of each old facet's one or two children, in its order
@@ -261,7 +249,10 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
 ContactFacet on_piece(const ContactFacet& given, int first, int second, const Piece<1>& piece) {
   ContactFacet facet{given.pair, first, second, {}, {}};
   const double from = piece.corner[0][0], to = piece.corner[1][0];
-  const auto below = on_stretch(given.lower, from, to), above = on_stretch(given.upper, from, to);
+  const auto cut = [&](const std::array<double, 3>& whole) {
+    return on_stretch(std::array<Enclosure, 3>{whole[0], whole[1], whole[2]}, from, to);
+  };
+  const auto below = cut(given.lower), above = cut(given.upper);
   for (int i = 0; i < 3; ++i) {
     facet.lower[i] = lower(below[i]);
     facet.upper[i] = upper(above[i]);
@@ -287,9 +278,7 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
   origin.cells = pieces_of_cells(problem, refined.problem.mesh, refined.cell_parent, halves);
   std::vector<int> first_child;
   std::tie(refined.problem, first_child) = with_boundary(std::move(refined.problem), problem, halves);
-  std::vector<int> contact_of_facet(origin.first->facets.size(), -1);
-  for (std::size_t i = 0; i < origin.first->contact.size(); ++i)
-    contact_of_facet[origin.first->contact[i].first] = static_cast<int>(i);
+  const std::vector<int> contact_of_facet = contacts_by_first(*origin.first);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     const int first = problem.contact[i].first, second = problem.contact[i].second;
     const auto add = [&](int one, int other) {

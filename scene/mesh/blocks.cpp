@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: rectangles of triangles.
 #include <fmt/format.h>
 
 #include <algorithm>

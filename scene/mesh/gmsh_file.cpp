@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: of the elements triangles and lines are kept.
 #include "scene/mesh/gmsh_file.h"
 
 #include <fmt/format.h>

@@ -6,34 +6,58 @@
 #include <limits>
 #include <vector>
 
-#include "scene/types.h"
+#include "scene/mesh/simplex.h"
 
 namespace bracket::scene {
 
 /// A conforming triangulation of all bodies; bodies share no vertices, each hangs together through edges.
 template <int dim> struct Mesh {
   std::vector<Vector<dim>> vertices;
-  std::vector<std::array<int, dim + 1>> cells;  ///< vertices, counter-clockwise
-  std::vector<int> cell_body;                   ///< index into `bodies`
-  std::vector<std::string> bodies;              ///< names
-  std::vector<std::array<int, 2>> edges;        ///< vertices, the lower index first
-  std::vector<std::array<int, 3>> cell_edges;   ///< edge k lies opposite to vertex k: from vertex k+1 to k+2 (mod 3)
-  std::vector<char> refinement_edge;            ///< of each cell: the edge (0, 1 or 2) that bisection cuts first
+  std::vector<std::array<int, dim + 1>> cells;                     ///< vertices, in an order as Simplex has it
+  std::vector<int> cell_body;                                      ///< index into `bodies`
+  std::vector<std::string> bodies;                                 ///< names
+  std::vector<std::array<int, 2>> edges;                           ///< vertices, the lower index first
+  std::vector<std::array<int, Simplex<dim>::n_edges>> cell_edges;  ///< in the order of Simplex::edges
+  std::vector<char> refinement_edge;  ///< of each cell: which of its edges bisection cuts first
 
   struct Facet {
-    std::array<int, dim> vertices;  ///< in the order in which its cell is walked counter-clockwise: the body is left
+    std::array<int, dim> vertices;  ///< in the order of Simplex::facets: in the plane the body is left
     int cell;
-    int local;  ///< which edge of the cell
-    int edge;   ///< index into `edges`
+    int local;  ///< which facet of the cell
+    int edge;   ///< index into `edges`: the midpoint on the facet
     int part;   ///< index into `parts`, −1: none (such a facet is free)
   };
-  std::vector<Facet> boundary;     ///< every edge that has a cell on one side only
+  std::vector<Facet> boundary;     ///< every facet that has a cell on one side only
   std::vector<std::string> parts;  ///< names of the boundary parts
   std::vector<std::string> notes;  ///< what was mended on reading, one line each
   /// By how much coordinates may be off what their author meant, by their size: the last place of a double, or of the
   /// digits of a file.
   double coordinate_rounding = std::numeric_limits<double>::epsilon() / 2;
 };
+
+/// The facets of a cell, in the order of Simplex::facets, as numbers below n_facets(). Two cells that lie on each other
+/// share one. In the plane they have the numbers of the edges.
+template <int dim> const std::array<int, dim + 1>& cell_facets(const Mesh<dim>& mesh, int cell) {
+  static_assert(dim == 2);
+  return mesh.cell_edges[cell];
+}
+template <int dim> std::size_t n_facets(const Mesh<dim>& mesh) {
+  static_assert(dim == 2);
+  return mesh.edges.size();
+}
+/// The vertices of facet `local` of a cell, in the order of Simplex::facets.
+template <int dim> std::array<int, std::size_t{dim}> facet_vertices(const Mesh<dim>& mesh, int cell, int local) {
+  std::array<int, dim> vertices;
+  for (int i = 0; i < dim; ++i) vertices[i] = mesh.cells[cell][Simplex<dim>::facets[local][i]];
+  return vertices;
+}
+/// The positions of vertices.
+template <int dim, std::size_t n>
+std::array<Vector<dim>, n> positions(const Mesh<dim>& mesh, const std::array<int, n>& vertices) {
+  std::array<Vector<dim>, n> x;
+  for (std::size_t i = 0; i < n; ++i) x[i] = mesh.vertices[vertices[i]];
+  return x;
+}
 
 /// Reads a Gmsh ASCII file, version 2.2 or 4.1, of first-order triangles. Physical surfaces name the bodies, physical
 /// curves the boundary parts. Clockwise cells are turned, with a note. Vertices of no cell are dropped.

@@ -1,9 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: an edge is a facet, and cells turn round one way or the other.
 #include "scene/mesh/topology.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -19,10 +21,7 @@ struct Side {
   int slot;   // 3 cell + side
 };
 
-std::array<int, 2> ends(const Mesh<2>& mesh, int slot) {
-  const auto& cell = mesh.cells[slot / 3];
-  return {cell[(slot + 1) % 3], cell[(slot + 2) % 3]};  // 3 divides slot − side, so that side k may be written slot
-}
+std::array<int, 2> ends(const Mesh<2>& mesh, int slot) { return facet_vertices(mesh, slot / 3, slot % 3); }
 
 Vector<2> centre(const Mesh<2>& mesh, int cell) {
   const auto& [a, b, c] = mesh.cells[cell];
@@ -137,28 +136,25 @@ std::vector<char> longest_edges(const Mesh<2>& mesh) {
 
 /// Each body must hang together through edges, and not by a point only.
 void check_connected(const Mesh<2>& mesh, const std::string& where) {
-  std::vector<int> parent(mesh.cells.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int cell) {
-    while (parent[cell] != cell) cell = parent[cell] = parent[parent[cell]];
-    return cell;
-  };
-  std::vector<int> first(mesh.edges.size(), -1);
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    for (const int edge : mesh.cell_edges[cell]) {
-      if (first[edge] == -1) first[edge] = static_cast<int>(cell);
-      parent[root(static_cast<int>(cell))] = root(first[edge]);
+  const int cells = static_cast<int>(mesh.cells.size());
+  std::vector<int> ranks(cells), parents(cells);
+  std::iota(parents.begin(), parents.end(), 0);
+  boost::disjoint_sets<int*, int*> pieces(ranks.data(), parents.data());
+  std::vector<int> first(n_facets(mesh), -1);
+  for (int cell = 0; cell < cells; ++cell) {
+    for (const int facet : cell_facets(mesh, cell)) {
+      if (first[facet] == -1) first[facet] = cell;
+      pieces.union_set(first[facet], cell);
     }
   }
-  std::vector<int> piece(mesh.bodies.size(), -1);
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    int& known = piece[mesh.cell_body[cell]];
-    const int own = root(static_cast<int>(cell));
-    if (known == -1) known = own;
-    if (known == own) continue;
+  std::vector<int> first_of_body(mesh.bodies.size(), -1);
+  for (int cell = 0; cell < cells; ++cell) {
+    int& known = first_of_body[mesh.cell_body[cell]];
+    if (known == -1) known = cell;
+    if (pieces.find_set(known) == pieces.find_set(cell)) continue;
     fail(Status::mesh, where,
          fmt::format("the body '{}' falls into pieces: no chain of cells leads from {} to {}; make each a body",
-                     mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, own))));
+                     mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, cell))));
   }
   std::vector<int> facets(mesh.vertices.size(), 0);
   for (const auto& facet : mesh.boundary) {

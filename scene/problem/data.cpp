@@ -164,12 +164,9 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
 }
 
 double bounding_box_diagonal(const Mesh<2>& mesh) {
-  Vector<2> low = mesh.vertices[0], high = mesh.vertices[0];
-  for (const Vector<2>& vertex : mesh.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  return (high - low).norm();
+  Eigen::AlignedBox2d box;
+  for (const Vector<2>& vertex : mesh.vertices) box.extend(vertex);
+  return box.diagonal().norm();
 }
 
 }  // namespace
@@ -182,18 +179,23 @@ template <int dim> bool is_loaded(const FacetData<dim>& data) {
           std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }));
 }
 
+template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem) {
+  std::vector<int> contacts(problem.facets.size(), -1);
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) contacts[problem.contact[i].first] = static_cast<int>(i);
+  return contacts;
+}
+
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet) {
   static_assert(dim == 2);
   const FacetData<dim>& data = problem.facets[facet];
   // Of the first mesh's facet, as far from the origin rounding turns small ones.
   const auto [of, corner] = piece_of_facet(problem, facet);
   const Mesh<dim>& first = first_of(problem).mesh;
-  const auto& [a, b] = first.boundary[of].vertices;
-  const Vector<dim> along = (corner[1][0] - corner[0][0]) * (first.vertices[b] - first.vertices[a]);
-  const Vector<dim> outward(along[1], -along[0]);  // as long as the facet
+  const Vector<dim> outward =
+      (corner[1][0] - corner[0][0]) * area_vector<dim>(positions(first, first.boundary[of].vertices));
   std::array<Vector<dim>, dim> result;
   for (int i = 0; i < dim; ++i)
-    result[i] = along.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
+    result[i] = outward.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
   return result;
 }
 
@@ -230,6 +232,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
 }
 
 template bool is_loaded(const FacetData<2>&);
+template std::vector<int> contacts_by_first(const Problem<2>&);
 template std::array<Vector<2>, 2> load(const Problem<2>&, int);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
 

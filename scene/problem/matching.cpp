@@ -1,9 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: facets that coincide run opposite to each other.
 #include "scene/problem/matching.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -118,25 +120,28 @@ std::vector<std::array<int, 2>> match_sides(const Mesh<2>& mesh, int first_part,
 }
 
 Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact) {
-  // A vertex may be in several pairs: all that lie on each other get the same point.
-  std::vector<int> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int vertex) {
-    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-    return vertex;
+  // A vertex may be in several pairs: all that lie on each other get the same point, that of a first side.
+  std::vector<int> ranks(mesh.vertices.size()), parents(mesh.vertices.size());
+  std::iota(parents.begin(), parents.end(), 0);
+  boost::disjoint_sets<int*, int*> sets(ranks.data(), parents.data());
+  std::vector<int> target = parents;  // of each set
+  const auto join = [&](int onto, int vertex) {
+    const int kept = target[sets.find_set(onto)];
+    sets.union_set(onto, vertex);
+    target[sets.find_set(onto)] = kept;
   };
   for (const ContactFacet& pair : contact) {
     if (pair.second == -1) continue;
     const auto& first = mesh.boundary[pair.first].vertices;
     const auto& second = mesh.boundary[pair.second].vertices;
-    parent[root(second[1])] = root(first[0]);
-    parent[root(second[0])] = root(first[1]);
+    join(first[0], second[1]);
+    join(first[1], second[0]);
   }
   double moved = 0;
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-    const Vector<2>& target = mesh.vertices[root(static_cast<int>(vertex))];
-    moved = std::max(moved, (target - mesh.vertices[vertex]).norm());
-    mesh.vertices[vertex] = target;
+    const Vector<2> x = mesh.vertices[target[sets.find_set(static_cast<int>(vertex))]];
+    moved = std::max(moved, (x - mesh.vertices[vertex]).norm());
+    mesh.vertices[vertex] = x;
   }
   if (moved == 0) return mesh;
   mesh.notes.push_back(fmt::format("vertices on contact sides moved by up to {:.2g} to coincide", moved));

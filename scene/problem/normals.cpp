@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: normals by their angle, facets in chains.
 #include "scene/problem/normals.h"
 
 #include <algorithm>
@@ -90,16 +91,13 @@ std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line
 Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster, const std::vector<char>& counts) {
   auto lines = chains(mesh, cluster, counts);
   if (lines.empty()) lines = chains(mesh, cluster, {});
-  const auto chord = [&](const std::array<int, 2>& ends) -> Vector<2> {
-    return mesh.vertices[ends[1]] - mesh.vertices[ends[0]];
-  };
+  const auto across = [&](const std::array<int, 2>& ends) { return area_vector<2>(positions(mesh, ends)); };
   const auto rank = [&](const std::array<int, 2>& ends) {
-    return std::pair((chord(ends).array() == 0).any(), chord(ends).norm());
+    return std::pair((across(ends).array() == 0).any(), across(ends).norm());
   };
   const auto best =
       std::max_element(lines.begin(), lines.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  const Vector<2> along = chord(*best);
-  return Vector<2>(along[1], -along[0]).normalized();
+  return across(*best).normalized();
 }
 
 }  // namespace

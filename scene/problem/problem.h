@@ -125,6 +125,9 @@ template <int dim> Piece<dim - 1> piece_of_facet(const Problem<dim>& problem, in
   return problem.origin.first ? problem.origin.facets[facet] : whole<dim - 1>(facet);
 }
 
+/// Of each facet, the contact of which it is the first side: index into Problem::contact, −1: none.
+template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem);
+
 /// The loads of Γ_τ on a facet, all kinds added up, at its vertices, per unit of its parameter (traction · length).
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet);
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: functions on an edge that is a facet.
 #include "scene/problem/projection.h"
 
 #include <fmt/format.h>
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/problem/stretch.h"
+#include "scene/quadrature.h"
 #include "scene/range.h"
 #include "scene/text.h"
 
@@ -23,18 +26,16 @@ struct Sample {
 };
 
 /// Gauss points, five in each of eight panels: all inside of the edge.
-constexpr std::array<Sample, samples> quadrature = [] {
-  constexpr std::array<double, 5> node = {-0.906179845938663992797627, -0.538469310105683091036314, 0,
-                                          0.538469310105683091036314, 0.906179845938663992797627};
-  constexpr std::array<double, 5> weight = {0.236926885056189087514264, 0.478628670499366468041292,
-                                            0.568888888888888888888889, 0.478628670499366468041292,
-                                            0.236926885056189087514264};
-  std::array<Sample, samples> result{};
-  for (int i = 0; i < samples; ++i) {
-    result[i] = {(i / 5 + 0.5 + 0.5 * node[i % 5]) / panels, 0.5 * weight[i % 5] / panels};
-  }
-  return result;
-}();
+const std::array<Sample, samples>& quadrature() {
+  static const std::array<Sample, samples> points = [] {
+    const auto gauss = gauss_points<5>();
+    std::array<Sample, samples> result{};
+    for (int i = 0; i < samples; ++i)
+      result[i] = {(i / 5 + 0.5 + 0.5 * gauss[i % 5].x) / panels, 0.5 * gauss[i % 5].weight / panels};
+    return result;
+  }();
+  return points;
+}
 
 double finite_value(const Function<2>& given, const Vector<2>& x, const std::string& where) {
   const double value = given(x);
@@ -48,7 +49,7 @@ double finite_value(const Function<2>& given, const Vector<2>& x, const std::str
 std::array<double, samples> sample(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                    const std::string& where) {
   std::array<double, samples> values;
-  std::transform(quadrature.begin(), quadrature.end(), values.begin(),
+  std::transform(quadrature().begin(), quadrature().end(), values.begin(),
                  [&](const Sample& at) { return finite_value(given, (1 - at.s) * a + at.s * b, where); });
   return values;
 }
@@ -59,19 +60,19 @@ double largest_of(const std::array<double, samples>& values) {
   return largest;
 }
 
-double linear(const std::array<double, 2>& ends, double s) { return ends[0] + s * (ends[1] - ends[0]); }
-
 double distance(const std::array<double, samples>& values, const std::array<double, 2>& ends) {
   double largest = 0;
-  for (int i = 0; i < samples; ++i) largest = std::max(largest, std::abs(values[i] - linear(ends, quadrature[i].s)));
+  for (int i = 0; i < samples; ++i)
+    largest = std::max(largest, std::abs(values[i] - between_ends(ends, quadrature()[i].s)));
   return largest;
 }
 
 std::array<double, 2> projected(const std::array<double, samples>& values) {
   double mean = 0, slope = 0;  // coefficients of the Legendre polynomials 1 and 2s − 1
   for (int i = 0; i < samples; ++i) {
-    mean += quadrature[i].weight * values[i];
-    slope += 3 * quadrature[i].weight * values[i] * (2 * quadrature[i].s - 1);
+    const auto& [s, weight] = quadrature()[i];
+    mean += weight * values[i];
+    slope += 3 * weight * values[i] * (2 * s - 1);
   }
   return {mean - slope, mean + slope};
 }
@@ -117,8 +118,8 @@ EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a
   result.largest = std::max({largest_of(values), std::abs(start), std::abs(end), std::abs(middle)});
   const double bulge = middle - 0.5 * (start + end);
   for (int i = 0; i < samples; ++i) {
-    const double s = quadrature[i].s;
-    result.error = std::max(result.error, std::abs(values[i] - linear({start, end}, s) - 4 * s * (1 - s) * bulge));
+    const double s = quadrature()[i].s;
+    result.error = std::max(result.error, std::abs(values[i] - between_ends(start, end, s) - 4 * s * (1 - s) * bulge));
   }
   return result;
 }

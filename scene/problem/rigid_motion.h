@@ -5,17 +5,26 @@
 
 namespace bracket::scene {
 
-/// An infinitesimal rigid motion: a translation and a rotation (radians, counter-clockwise) about `centre`.
+/// An infinitesimal rigid motion: a translation and rotations (radians) about `centre`.
 template <int dim> struct RigidMotion {
-  Vector<dim> translation;
-  double rotation;
-  Vector<dim> centre;
+  Vector<dim> translation = Vector<dim>::Zero();
+  std::array<double, Simplex<dim>::n_rotations> rotation{};  ///< in the planes of Simplex; one, counter-clockwise
+  Vector<dim> centre = Vector<dim>::Zero();
 };
 /// The displacement of the point x.
-template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, const Vector<dim>& x);
+template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, const Vector<dim>& x) {
+  const Vector<dim> arm = x - motion.centre;
+  Vector<dim> u = motion.translation;
+  for (std::size_t r = 0; r < motion.rotation.size(); ++r) {
+    const auto& [i, j] = Simplex<dim>::rotations[r];
+    u[i] -= motion.rotation[r] * arm[j];
+    u[j] += motion.rotation[r] * arm[i];
+  }
+  return u;
+}
 
-/// The rigid motions that the supports of a body leave free (0 … 3 of them), linearly independent, each moving some
-/// point of the body by about 1 [HH81, R ∩ V].
+/// The rigid motions that the supports of a body leave free (none to all of them), linearly independent, each moving
+/// some point of the body by about 1 [HH81, R ∩ V].
 template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body);
 
 /// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", for messages; coordinates at rounding level are 0.

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: two boundary facets meet at a vertex.
 #include "scene/problem/support.h"
 
 #include <fmt/format.h>

@@ -26,6 +26,7 @@ inline Exact operator-(const Exact& x) { return Exact(Rational(-x.value)); }
 inline Exact operator+(const Exact& x, const Exact& y) { return Exact(Rational(x.value + y.value)); }
 inline Exact operator-(const Exact& x, const Exact& y) { return Exact(Rational(x.value - y.value)); }
 inline Exact operator*(const Exact& x, const Exact& y) { return Exact(Rational(x.value * y.value)); }
+inline Exact operator*(double x, const Exact& y) { return Exact(x) * y; }
 /// \throw std::overflow_error for y = 0
 inline Exact operator/(const Exact& x, const Exact& y) { return Exact(Rational(x.value / y.value)); }
 inline Exact& operator+=(Exact& x, const Exact& y) { return x = x + y; }

@@ -1,0 +1,30 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/certificate/corrections.h"
+
+#include <algorithm>
+
+#include "bounds/certificate/links.h"
+
+namespace bracket::bounds {
+
+PlainLoads assumed_loads(const scene::Problem<2>& first) {
+  PlainLoads assumed = no_loads(first);
+  for (const auto& pair : first.contact)
+    if (first.carries[pair.pair]) assumed.along_normal[pair.first] = {1, 1};
+  return assumed;
+}
+
+bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
+                        const std::vector<char>& carrying) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  const auto corrections = std::count_if(chosen.begin(), chosen.end(), [](const Reaction& reaction) {
+    return reaction.kind == Reaction::Kind::correction;
+  });
+  if (corrections == 0) return true;
+  const int unheld = unheld_motions(first, carrying);
+  std::vector<char> either = carrying;
+  for (std::size_t pair = 0; pair < either.size(); ++pair) either[pair] |= first.carries[pair];
+  return corrections == unheld && unheld == unheld_motions(first, either);
+}
+
+}  // namespace bracket::bounds

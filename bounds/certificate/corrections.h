@@ -1,0 +1,50 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "bounds/certificate/reactions.h"
+
+/// The true amounts of the corrections that bring the loads into balance.
+namespace bracket::bounds {
+
+/// Whether the corrections among the reactions are zero exactly once the loads carry their own corrections: there are
+/// as many as motions on which no support and no pair that carries acts, and on none of these acts a pair that the
+/// corrections counted on. Then each such motion gains nothing from the loads and meets the corrections alone.
+bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
+                        const std::vector<char>& carrying);
+
+/// Those on the first mesh, with unit pressures where the corrections count on a pair: what reactions() chooses from.
+PlainLoads assumed_loads(const scene::Problem<2>& first);
+
+template <class Number> struct Corrections {
+  std::vector<Corrected<Number>> loads;
+  std::string reason;  ///< if they cannot be had: one line
+};
+
+/// The corrections of the first mesh's loads by their true amounts, of those that are on Γ_τ (others are zero): those
+/// with which the loads are in balance along all motions on which neither supports nor the pairs that carry act at all.
+template <class Number, class Sum> Corrections<Number> corrected(const scene::Problem<2>& problem) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  if (first.corrections.empty()) return {};
+  const std::vector<Reference> about = references(first.mesh);
+  const PlainLoads assumed = assumed_loads(first);
+  const std::vector<Reaction> chosen = reactions(first, about, assumed, {});
+  const EdgeLoads<Number> loads = loads_of<Number>(first, no_loads(first), {});
+  const auto amounts = amounts_that_hold<Number, Sum>(first, about, chosen, loads);
+  if (!amounts || !corrections_vanish(first, chosen, carrying_pairs(first, assumed)))
+    return {{}, "the corrections of the loads do not bring a body that nothing holds into balance"};
+  Corrections<Number> result;
+  for (std::size_t j = 0; j < chosen.size(); ++j) {
+    if (chosen[j].kind != Reaction::Kind::correction) continue;
+    const auto& [facet, unit] = first.corrections[chosen[j].which];
+    const Number& own = (*amounts)[j];
+    if (first.facets[facet].support == scene::Support::traction)
+      result.loads.push_back({facet, {own * plane<Number>(unit[0]), own * plane<Number>(unit[1])}});
+    else if (!certainly_non_negative(own) || !certainly_non_negative(-own))  // not zero
+      return {{}, "the weight of a body that nothing but contacts holds is not in balance to the last bit"};
+  }
+  return result;
+}
+
+}  // namespace bracket::bounds

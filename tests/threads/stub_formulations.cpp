@@ -1,0 +1,75 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+
+#include "dual/dual.h"
+#include "primal/primal.h"
+
+/// In place of the two formulations: the exact fields of docs/theory.md §9.1 in closed form. deal.II, CHOLMOD and BLAS
+/// know no thread sanitizer, and none of them runs here.
+namespace bracket {
+
+namespace {
+
+/// The displacement prescribed at the sliding top, along its normal, by the height: e22.
+double strain(const scene::Problem<2>& problem) {
+  double lowering = 0, low = 0, high = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const double y = problem.mesh.vertices[problem.mesh.boundary[f].vertices[0]][1];
+    low = std::min(low, y);
+    high = std::max(high, y);
+    if (problem.facets[f].support == scene::Support::sliding)
+      lowering = std::min(lowering, problem.facets[f].normal_displacement[0]);
+  }
+  return lowering / (high - low);
+}
+
+scene::Vector<2> displacement(const scene::Problem<2>& problem, const scene::Vector<2>& x) {
+  const auto& compliance = problem.bodies[0].compliance;  // of both
+  const double e = strain(problem);
+  return {compliance(0, 1) / compliance(1, 1) * e * x[0], e * (x[1] + 0.5)};
+}
+
+}  // namespace
+
+namespace primal {
+
+template <int dim> void check_prescribed(const scene::Problem<dim>&, int) {}
+
+template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>&) {
+  const auto& mesh = problem.mesh;
+  Result<dim> result;
+  result.displacement.degree = degree;
+  for (const auto& x : mesh.vertices) result.displacement.vertex.push_back(displacement(problem, x));
+  for (const auto& [a, b] : mesh.edges)
+    if (degree == 2)
+      result.displacement.edge.push_back(displacement(problem, (mesh.vertices[a] + mesh.vertices[b]) / 2));
+  result.closed.assign(problem.contact.size(), 1);
+  return result;
+}
+
+template void check_prescribed(const scene::Problem<2>&, int);
+template Result<2> solve(const scene::Problem<2>&, int, const std::vector<char>&);
+
+}  // namespace primal
+
+namespace dual {
+
+template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>&) {
+  Result<dim> result;
+  std::array<scene::Voigt<dim>, 9> cell;
+  cell.fill({0, strain(problem) / problem.bodies[0].compliance(1, 1), 0});
+  result.stress.cell.assign(problem.mesh.cells.size(), cell);
+  result.closed.assign(problem.contact.size(), 1);
+  return result;
+}
+
+template <int dim>
+Result<dim> uzawa(const scene::Problem<dim>&, const scene::Stress<dim>&, const std::function<bool()>&) {
+  throw std::logic_error("no scene of these tests asks for it");
+}
+
+template Result<2> solve(const scene::Problem<2>&, const std::vector<char>&);
+template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&, const std::function<bool()>&);
+
+}  // namespace dual
+}  // namespace bracket
