@@ -1,25 +1,32 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dual/block_element.h"
 
+#include "scene/voigt.h"
+
 namespace bracket::dual {
 
 namespace {
 
+using scene::area_vector;
+using scene::Simplex;
+using scene::traction;
 using scene::Vector;
 using scene::Voigt;
 using Plane = Vector<2>;
 
 constexpr std::array<std::array<int, 2>, 6> voigt_pairs = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
-Plane traction(const Voigt<2>& stress, const Plane& normal) {
-  return {stress[0] * normal[0] + stress[2] * normal[1], stress[2] * normal[0] + stress[1] * normal[1]};
+/// Where edge e begins and ends.
+std::array<Plane, 2> ends(const Triangle& t, int e) {
+  const auto& [from, to] = Simplex<2>::edges[e];
+  return {t[from], t[to]};
 }
 
-/// The corners of part k: vertices k+1 and k+2, centroid.
-Triangle part(const Triangle& t, int k) { return {t[(k + 1) % 3], t[(k + 2) % 3], (t[0] + t[1] + t[2]) / 3}; }
-
-/// The normal of a → b, to its right, as long as the edge: outward where the triangle lies left.
-Plane normal_times_length(const Plane& a, const Plane& b) { return {b[1] - a[1], a[0] - b[0]}; }
+/// The corners of part k: the ends of edge k, centroid.
+Triangle part(const Triangle& t, int k) {
+  const auto [from, to] = ends(t, k);
+  return {from, to, (t[0] + t[1] + t[2]) / 3};
+}
 
 /// The seven parameters of a divergence-free linear stress, M(K) of [HH81, §2.1], at x.
 Eigen::Matrix<double, 3, 7> linear_stress(const Plane& x) {
@@ -45,7 +52,7 @@ Eigen::MatrixXd continuity(const Triangle& t, const Eigen::MatrixXd& values) {
   const Plane centroid = (t[0] + t[1] + t[2]) / 3;
   for (int v = 0; v < 3; ++v) {
     // Vertex v is corner 1 of part v+1 and corner 0 of part v+2.
-    const Plane n = normal_times_length(centroid, t[v]);
+    const Plane n = area_vector<2>({centroid, t[v]});
     const std::array<int, 2> parts = {(v + 1) % 3, (v + 2) % 3};
     for (int end = 0; end < 2; ++end) {
       const int first = 9 * parts[0] + 3 * (end == 0 ? 1 : 2), second = 9 * parts[1] + 3 * (end == 0 ? 0 : 2);
@@ -57,21 +64,13 @@ Eigen::MatrixXd continuity(const Triangle& t, const Eigen::MatrixXd& values) {
   return jump;
 }
 
-/// ∫ f g over a triangle, both linear, given by their corner values.
-double integrate(const std::array<double, 3>& f, const std::array<double, 3>& g, double area) {
-  double sum = (f[0] + f[1] + f[2]) * (g[0] + g[1] + g[2]);
-  for (int i = 0; i < 3; ++i) sum += f[i] * g[i];
-  return area / 12 * sum;
-}
-
 /// ∫ φ_i over an edge, times the length-carrying normal, of the tractions of corner stresses.
 LoadVector edge_loads(const Triangle& t, const Corners& stress) {
   LoadVector loads;
   for (int e = 0; e < 3; ++e) {
-    const Plane n = normal_times_length(t[(e + 1) % 3], t[(e + 2) % 3]);
-    const Plane at0 = traction(stress[3 * e], n), at1 = traction(stress[3 * e + 1], n);
-    loads.segment<2>(4 * e) = (2 * at0 + at1) / 6;
-    loads.segment<2>(4 * e + 2) = (at0 + 2 * at1) / 6;
+    const Plane n = area_vector<2>(ends(t, e));
+    const std::array<Plane, 2> at = {traction<2>(stress[3 * e], n), traction<2>(stress[3 * e + 1], n)};
+    for (int i = 0; i < 2; ++i) loads.segment<2>(4 * e + 2 * i) = scene::hat_moment(at, i);
   }
   return loads;
 }
@@ -88,7 +87,8 @@ LoadMatrix balanced_loads(const Triangle& t) {
       loads(4 * ((v + 1) % 3) + 2 + c, mode) = -1;  // edge v+1 ends there
     }
   for (int e = 0; e < 3; ++e, ++mode) {
-    const Plane along = t[(e + 2) % 3] - t[(e + 1) % 3];
+    const auto [from, to] = ends(t, e);
+    const Plane along = to - from;
     loads.block<2, 1>(4 * e, mode) = -along;
     loads.block<2, 1>(4 * e + 2, mode) = along;
   }
@@ -127,7 +127,8 @@ ReferenceBlock make_reference_block() {
     ModeMatrix mass = ModeMatrix::Zero();
     for (int i = 0; i < n_modes; ++i)
       for (int j = 0; j < n_modes; ++j)
-        for (int k = 0; k < 3; ++k) mass(i, j) += integrate(component(i, k, a), component(j, k, b), part_area);
+        for (int k = 0; k < 3; ++k)
+          mass(i, j) += scene::integral_of_product(component(i, k, a), component(j, k, b), part_area);
     reference.mass[p] = a == b ? mass : ModeMatrix(mass + mass.transpose());
   }
   return reference;
@@ -192,7 +193,7 @@ ModeVector coupling(const Triangle& t, const Eigen::Matrix3d& piola, const scene
           strain[c] = compliance.row(a) * stress[3 * k + c];
           of_mode[c] = mode[3 * k + c][a];
         }
-        result[m] += integrate(strain, of_mode, part_area);
+        result[m] += scene::integral_of_product(strain, of_mode, part_area);
       }
   }
   return result;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "scene/voigt.h"
+
 namespace bracket::dual {
 namespace {
 
@@ -11,8 +13,8 @@ using scene::Vector;
 using Gauss = boost::math::quadrature::gauss<double, 10>;
 
 /// The vertices where edge e begins and ends.
-Vector<2> from(const Triangle& t, int e) { return t[(e + 1) % 3]; }
-Vector<2> to(const Triangle& t, int e) { return t[(e + 2) % 3]; }
+Vector<2> from(const Triangle& t, int e) { return t[scene::Simplex<2>::edges[e][0]]; }
+Vector<2> to(const Triangle& t, int e) { return t[scene::Simplex<2>::edges[e][1]]; }
 
 /// The block and the amplitudes of its stress with these ∫ φ_i T over the sides, which are B times the reference's.
 Corners stress_by_moments(const Triangle& t, const LoadVector& moments) {
@@ -33,7 +35,7 @@ Eigen::Matrix<double, 3, n_loads> resultants(const Triangle& t) {
     const Vector<2> a = from(t, e) - centroid, b = to(t, e) - centroid;
     const double length = (b - a).norm();
     for (int end = 0; end < 2; ++end) {
-      const Vector<2> arm = end == 0 ? Vector<2>(2 * a + b) / 6 : Vector<2>(a + 2 * b) / 6;  // ∫ φ x by the length
+      const Vector<2> arm = scene::hat_moment(std::array{a, b}, end);  // ∫ φ x by the length
       rows.block<3, 2>(0, 4 * e + 2 * end) << length / 2, 0, 0, length / 2, -length * arm[1], length * arm[0];
     }
   }
@@ -80,9 +82,8 @@ Corners stress_by_tractions(const Triangle& t, const SideTractions& tractions) {
   LoadVector moments;
   for (int e = 0; e < 3; ++e) {
     const double length = (to(t, e) - from(t, e)).norm();
-    const Vector<2> at0 = tractions.segment<2>(4 * e), at1 = tractions.segment<2>(4 * e + 2);
-    moments.segment<2>(4 * e) = length / 6 * (2 * at0 + at1);
-    moments.segment<2>(4 * e + 2) = length / 6 * (at0 + 2 * at1);
+    const std::array<Vector<2>, 2> at = {tractions.segment<2>(4 * e), tractions.segment<2>(4 * e + 2)};
+    for (int i = 0; i < 2; ++i) moments.segment<2>(4 * e + 2 * i) = length * scene::hat_moment(at, i);
   }
   return stress_by_moments(t, moments);
 }
@@ -102,15 +103,11 @@ double stress_by_load_constant(const Triangle& t) {
 Corners interpolate(const Triangle& t, const StressField& stress) {
   LoadVector moments;
   for (int e = 0; e < 3; ++e) {
-    const Vector<2> a = from(t, e), along = to(t, e) - a, normal(along[1], -along[0]);  // as long as the side
+    const Vector<2> a = from(t, e), b = to(t, e), normal = scene::area_vector<2>({a, b});
     for (int end = 0; end < 2; ++end)
       for (int c = 0; c < 2; ++c)
-        moments[4 * e + 2 * end + c] = integrate([&](double s) {
-          const scene::Voigt<2> tau = stress(a + s * along);
-          const double traction =
-              c == 0 ? tau[0] * normal[0] + tau[2] * normal[1] : tau[2] * normal[0] + tau[1] * normal[1];
-          return traction * (end == 0 ? 1 - s : s);
-        });
+        moments[4 * e + 2 * end + c] = integrate(
+            [&](double s) { return scene::traction<2>(stress(a + s * (b - a)), normal)[c] * (end == 0 ? 1 - s : s); });
   }
   return stress_by_moments(t, moments);
 }

@@ -37,7 +37,7 @@ template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& lay
     const Edge& edge = layout.edges[mesh_edge];
     for (int i = 0; i < 2; ++i) {
       const int row = 4 * e + 2 * i;
-      const int place = 2 * end_of(mesh, mesh_edge, mesh.cells[c][(e + 1 + i) % 3]);
+      const int place = 2 * end_of(mesh, mesh_edge, scene::facet_vertices(mesh, c, e)[i]);
       cell.loads.middleRows<2>(row) = (edge.frame * cell.loads.middleRows<2>(row)).eval();
       for (int k = 0; k < 2; ++k) cell.unknowns[row + k] = edge.unknown[place + k];
     }

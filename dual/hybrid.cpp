@@ -24,7 +24,7 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
     const Edge& edge = layout.edges[facet.edge];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
-      const Vector<dim> moment = (2 * ends[i] + ends[1 - i]) / 6;
+      const Vector<dim> moment = scene::hat_moment(ends, i);
       const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
       for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
     }
@@ -40,7 +40,8 @@ void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::ve
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    const double sixth = scene::length(mesh, pair.first) / 6;
+    using Table = scene::Simplex<dim - 1>;
+    const double unit = scene::length(mesh, pair.first) / Table::hat_masses_of;
     for (const int side : {pair.first, pair.second}) {
       if (side < 0) continue;
       const auto& facet = mesh.boundary[side];
@@ -49,7 +50,7 @@ void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::ve
         for (int i = 0; i < 2; ++i) {
           const int vertex = facet.vertices[side == pair.first ? i : 1 - i];
           const int unknown = edge.unknown[2 * end_of(mesh, facet.edge, vertex)];
-          entries[mesh.cell_component[facet.cell]].emplace_back(2 * j + row, unknown, sixth * (row == i ? 2 : 1));
+          entries[mesh.cell_component[facet.cell]].emplace_back(2 * j + row, unknown, unit * Table::hat_mass(row, i));
         }
     }
   }

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "dual/uzawa.h"
+#include "scene/voigt.h"
 
 namespace bracket::dual {
 
@@ -66,9 +67,9 @@ std::vector<Opening> openings(const Problem<dim>& problem, const std::vector<Uza
     const auto& facet = mesh.boundary[pair.first];
     const Vector<dim>& n = problem.facets[pair.first].normal;
     for (int i = 0; i < 2; ++i) {
-      const auto& s = particular.cell[facet.cell][3 * facet.local + i];
+      const auto& stress = particular.cell[facet.cell][3 * facet.local + i];
       result.push_back({multiplier(facet, i), pair.second < 0 ? -1 : multiplier(mesh.boundary[pair.second], 1 - i),
-                        gaps[2 * j + i], -(n[0] * n[0] * s[0] + n[1] * n[1] * s[1] + 2 * n[0] * n[1] * s[2])});
+                        gaps[2 * j + i], -n.dot(scene::traction<dim>(stress, n))});
     }
   }
   return result;

@@ -7,6 +7,8 @@
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/grid/tria.h>
 
+#include "scene/voigt.h"
+
 namespace bracket::primal {
 
 namespace {
@@ -32,8 +34,8 @@ void triangulate(const scene::Mesh<dim>& mesh, const std::vector<int>& cells,
   triangulation.create_triangulation(points, data, dealii::SubCellData());
 }
 
-/// Place among a mesh cell's nodes of deal.II's node i: its lines run 0–1, 1–2, 2–0, ours lie opposite to 0, 1, 2.
-int place(unsigned int i) { return i < 3 ? static_cast<int>(i) : std::array<int, 3>{5, 3, 4}[i - 3]; }
+/// Place among a mesh cell's nodes of deal.II's node i: its lines run 0–1, 1–2, 2–0.
+int place(int i) { return i < 3 ? i : 3 + scene::Simplex<2>::edge_between(i - 3, (i - 2) % 3); }
 
 }  // namespace
 
@@ -58,14 +60,16 @@ void for_each_cell(const scene::Problem<dim>& problem, int component, int degree
   for (const auto& cell : triangulation.active_cell_iterators()) {
     values.reinit(cell);
     stiffness.setZero();
-    strain.setZero();
     const auto& elasticity = body_of(problem, cells[cell->active_cell_index()]).stiffness;
     for (const unsigned int q : values.quadrature_point_indices()) {
       for (int i = 0; i < n; ++i) {
         const auto gradient = values.shape_grad(i, q);
         const int column = dim * place(i);
-        strain(0, column) = strain(2, column + 1) = gradient[0];
-        strain(1, column + 1) = strain(2, column) = gradient[1];
+        for (int c = 0; c < dim; ++c) {
+          Eigen::Matrix<double, dim, dim> of_displacement = Eigen::Matrix<double, dim, dim>::Zero();
+          for (int j = 0; j < dim; ++j) of_displacement(c, j) = gradient[j];
+          strain.col(column + c) = scene::strain<dim>(of_displacement);
+        }
       }
       stiffness.noalias() += strain.transpose() * (values.JxW(q) * elasticity * strain).eval();
     }

@@ -7,9 +7,11 @@
 
 namespace bracket::primal {
 
-/// Nodes of a cell: its vertices 0, 1, 2, and for degree 2 the midpoints of its edges 0, 1, 2 (numbered as in
-/// Mesh::cell_edges). Two unknowns a node, x then y.
-inline int nodes_per_cell(int degree) { return degree == 1 ? 3 : 6; }
+/// Nodes of a cell: its vertices, and for degree 2 the midpoints of its edges, in the order of scene::Simplex. As many
+/// unknowns a node as there are dimensions.
+template <int dim> int nodes_per_cell(int degree) {
+  return degree == 1 ? scene::Simplex<dim>::n_vertices : scene::Simplex<dim>::n_quadratic;
+}
 
 /// What one cell adds: its stiffness ∫ ε(φ_i) : C ε(φ_j).
 using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness)>;

@@ -88,12 +88,16 @@ void add_weights(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vect
     const int body = mesh.cell_component[c];
     const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
     if (force.isZero(0)) continue;
-    const Vector<dim> third =
-        force * (scene::volume(mesh, static_cast<int>(c)) / 3);  // ∫ φ = 0 at vertices of degree 2
-    if (nodes.degree == 1)
-      for (const int v : mesh.cells[c]) add_load<dim>(nodes.node[nodes.at_vertex(v)], third, loads[body]);
-    else
-      for (const int e : mesh.cell_edges[c]) add_load<dim>(nodes.node[nodes.at_edge(mesh, e)], third, loads[body]);
+    using Table = scene::Simplex<dim>;
+    const double volume = scene::volume(mesh, static_cast<int>(c));
+    const auto mean = [&](int node) {
+      return nodes.degree == 1 ? volume / Table::n_vertices
+                               : Table::quadratic_mean(node) * volume / Table::quadratic_means_of;
+    };
+    for (const int v : mesh.cells[c]) add_load<dim>(nodes.node[nodes.at_vertex(v)], force * mean(0), loads[body]);
+    if (nodes.degree == 1) continue;
+    for (const int e : mesh.cell_edges[c])
+      add_load<dim>(nodes.node[nodes.at_edge(mesh, e)], force * mean(Table::n_vertices), loads[body]);
   }
 }
 
@@ -106,11 +110,11 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
     Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i) {
-      const Vector<dim> force =
-          nodes.degree == 1 ? Vector<dim>((2 * ends[i] + ends[1 - i]) / 6) : Vector<dim>(ends[i] / 6);
+      const Vector<dim> force = nodes.degree == 1 ? scene::hat_moment(ends, i) : scene::quadratic_moment(ends, i);
       add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
     }
-    if (nodes.degree == 2) add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], (ends[0] + ends[1]) / 3, load);
+    if (nodes.degree == 2)
+      add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], scene::quadratic_moment(ends, dim), load);
   }
 }
 
@@ -128,7 +132,7 @@ Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, cons
   for (std::size_t b = 0; b < systems.body.size(); ++b) {
     contact::System& body = systems.body[b];
     body.nodes = nodes.body_nodes[b];
-    contact::Assembly assembly(body.nodes, numbers[b], nodes_per_cell(nodes.degree));
+    contact::Assembly assembly(body.nodes, numbers[b], nodes_per_cell<dim>(nodes.degree));
     Triplets held;
     for_each_cell<dim>(problem, static_cast<int>(b), nodes.degree, [&](int cell, const Eigen::MatrixXd& stiffness) {
       add_cell(nodes, cell_nodes(mesh, nodes, cell), stiffness, assembly, held);

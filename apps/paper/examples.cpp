@@ -9,6 +9,7 @@
 
 #include "apps/report/samples.h"
 #include "dual/block_theory.h"
+#include "scene/voigt.h"
 
 namespace bracket::apps {
 
@@ -102,10 +103,7 @@ scene::Scene<2> smooth_scene(int n) {
   const SmoothSolution exact = smooth_solution();
   const auto loaded = [](const ExactField& body, const Vector<2>& normal) {
     const auto component = [=](int c) {
-      return [=](const Vector<2>& x) {
-        const Voigt<2> s = body.stress(x);
-        return c == 0 ? s[0] * normal[0] + s[2] * normal[1] : s[2] * normal[0] + s[1] * normal[1];
-      };
+      return [=](const Vector<2>& x) { return scene::traction<2>(body.stress(x), normal)[c]; };
     };
     return scene::Condition<2>{ConditionKind::traction, {component(0), component(1)}, ""};
   };

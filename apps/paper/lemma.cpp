@@ -4,6 +4,7 @@
 
 #include "apps/paper/paper.h"
 #include "dual/block_element.h"
+#include "scene/voigt.h"
 
 /// Lemma 1.6 of [HH81]: a stress satisfies (1.18) … (1.22) if and only if it lies in K⁺_{F,P}, that is, if its work on
 /// every displacement of K is at least that of the loads.
@@ -32,24 +33,19 @@ struct Forces {
 /// ∫ λ : ε(v) on one part of a cell, by its polynomials: v's coefficients at the cell's vertices and edges.
 void add_part(const scene::Mesh<2>& mesh, int cell, int part, const dual::Corners& stress, Forces& forces) {
   const auto& v = mesh.cells[cell];
-  const double area = scene::volume(mesh, cell), part_area = area / 3;
-  std::array<Vector<2>, 3> gradient;  // of the barycentric coordinates
-  for (int k = 0; k < 3; ++k) {
-    const Vector<2> opposite = mesh.vertices[v[(k + 2) % 3]] - mesh.vertices[v[(k + 1) % 3]];
-    gradient[k] = Vector<2>(-opposite[1], opposite[0]) / (2 * area);
-  }
+  using Table = scene::Simplex<2>;
+  const double part_area = scene::volume(mesh, cell) / 3;
+  const auto gradient = scene::hat_gradients<2>(scene::positions(mesh, v));
   std::array<Vector<3>, 3> at;  // barycentric coordinates of the part's corners
-  at[0] = Vector<3>::Unit((part + 1) % 3), at[1] = Vector<3>::Unit((part + 2) % 3), at[2] = Vector<3>::Constant(1. / 3);
-  // ∫ of a product of two linear functions: Σ_ab (1 + δ_ab) f_a g_b by a twelfth of the area.
+  for (int i = 0; i < 2; ++i) at[i] = Vector<3>::Unit(Table::facets[part][i]);
+  at[2] = Vector<3>::Constant(1. / 3);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       const Voigt<2>& s = stress[3 * part + a];
-      const double weight = part_area / 12 * (a == b ? 2 : 1);
-      const auto force = [&](const Vector<2>& slope) {
-        return Vector<2>(weight * Vector<2>(s[0] * slope[0] + s[2] * slope[1], s[2] * slope[0] + s[1] * slope[1]));
-      };
+      const double weight = part_area / Table::hat_masses_of * Table::hat_mass(a, b);
+      const auto force = [&](const Vector<2>& slope) { return Vector<2>(weight * scene::traction<2>(s, slope)); };
       for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const auto [i, j] = Table::edges[k];
         forces.vertex[v[k]] += force(2 * at[b][k] * gradient[k]);
         forces.edge[mesh.cell_edges[cell][k]] += force(2 * (at[b][i] * gradient[j] + at[b][j] * gradient[i]));
       }

@@ -14,11 +14,7 @@ std::array<Voigt<dim>, dim + 1> strain_at_vertices(const scene::Mesh<dim>& mesh,
                                                    const scene::Displacement<dim>& displacement, int cell) {
   using Table = scene::Simplex<dim>;
   const auto& v = mesh.cells[cell];
-  const double scaled_volume = dim * scene::volume(mesh, cell);
-  std::array<Vector<dim>, dim + 1> gradient;  // of the barycentric coordinates
-  for (int k = 0; k <= dim; ++k)
-    gradient[k] =
-        -scene::area_vector<dim>(scene::positions(mesh, scene::facet_vertices(mesh, cell, k))) / scaled_volume;
+  const auto gradient = scene::hat_gradients<dim>(scene::positions(mesh, v));
   std::array<Voigt<dim>, dim + 1> strain;
   for (int m = 0; m <= dim; ++m) {
     // Differences to the vertex itself, so that a large rigid translation does not cancel in the gradient.

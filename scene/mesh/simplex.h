@@ -93,6 +93,18 @@ template <int dim> double volume(const std::array<Vector<dim>, dim + 1>& x) {
   return sides.determinant() / factorial;
 }
 
+/// The gradients of the hat functions of the vertices.
+template <int dim> std::array<Vector<dim>, dim + 1> hat_gradients(const std::array<Vector<dim>, dim + 1>& x) {
+  const double scaled_volume = dim * volume<dim>(x);
+  std::array<Vector<dim>, dim + 1> gradients;
+  for (int k = 0; k <= dim; ++k) {
+    std::array<Vector<dim>, dim> facet;
+    for (int i = 0; i < dim; ++i) facet[i] = x[Simplex<dim>::facets[k][i]];
+    gradients[k] = -area_vector<dim>(facet) / scaled_volume;
+  }
+  return gradients;
+}
+
 /// ∫ φ_i f by the volume, for f linear on a simplex. \param f at the vertices
 template <class Value, std::size_t n> Value hat_moment(const std::array<Value, n>& f, int i) {
   using Table = Simplex<static_cast<int>(n) - 1>;

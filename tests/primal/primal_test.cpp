@@ -18,7 +18,7 @@ TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_
     for_each_cell<2>(problem, 0, degree, [&](int cell, const Eigen::MatrixXd& k) {
       const auto& mesh = problem.mesh;
       const auto& v = mesh.cells[cell];
-      const int n = nodes_per_cell(degree);
+      const int n = nodes_per_cell<2>(degree);
       Eigen::MatrixXd fields(2 * n, 6);  // 1, 1, turn, and three uniform strains
       for (int i = 0; i < n; ++i) {
         Vector<2> x = mesh.vertices[v[i % 3]];

@@ -185,6 +185,15 @@ TYPED_TEST(SimplexInSpace, facets_close_and_point_outward) {
   }
 }
 
+TYPED_TEST(SimplexInSpace, hat_functions_are_one_at_their_own_vertex_only) {
+  constexpr int dim = TypeParam::value;
+  for (const Corners<dim>& x : simplices<dim>()) {
+    const auto gradients = hat_gradients<dim>(x);
+    for (int k = 0; k <= dim; ++k)
+      for (int j = 0; j <= dim; ++j) EXPECT_NEAR(1 + gradients[k].dot(x[j] - x[k]), j == k, 1e-13);
+  }
+}
+
 TYPED_TEST(SimplexInSpace, the_volume_is_that_of_an_affine_map) {
   constexpr int dim = TypeParam::value;
   EXPECT_DOUBLE_EQ(volume<dim>(simplices<dim>()[0]), 1 / std::tgamma(dim + 1));
