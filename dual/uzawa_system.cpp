@@ -33,7 +33,7 @@ UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell& cell, int c, const
   const int body = problem.mesh.cell_body[c];
   UzawaCell result{half_stiffness(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
   result.linear = cell.compliance.matrixL().solve(
-      coupling(corners(problem.mesh, c), cell.piola, problem.bodies[body].compliance, particular.cell[c]));
+      coupling(corners(problem.mesh, c), cell.piola, problem.bodies[body].material.compliance(), particular.cell[c]));
   for (int& multiplier : result.multipliers)
     if (multiplier >= 0) multiplier += first_multiplier;
   return result;

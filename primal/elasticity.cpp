@@ -51,7 +51,7 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
   const dealii::QGaussSimplex<dim> quadrature(2);  // exact for quadratics: gradients of degree 1, squared
   dealii::FEValues<dim> values(mapping, element, quadrature, dealii::update_gradients | dealii::update_JxW_values);
 
-  const auto& material = problem.bodies[body];
+  const scene::Elasticity<dim>& elasticity = problem.bodies[body].material.stiffness();
   const int n = static_cast<int>(element.n_dofs_per_cell());
   Eigen::MatrixXd stiffness(dim * n, dim * n);
   Eigen::MatrixXd strain(scene::n_voigt<dim>, dim * n);
@@ -66,7 +66,7 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
         strain(0, column) = strain(2, column + 1) = gradient[0];
         strain(1, column + 1) = strain(2, column) = gradient[1];
       }
-      stiffness.noalias() += strain.transpose() * (values.JxW(q) * material.stiffness * strain).eval();
+      stiffness.noalias() += strain.transpose() * (values.JxW(q) * elasticity * strain).eval();
     }
     use(cells[cell->active_cell_index()], stiffness);
   }

@@ -31,7 +31,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
 
   std::vector<Series> all;
   const auto solve = [&](const Interrupt& interrupt, const Progress& progress) {
-    Series& series = all.emplace_back(scene.refine.strategy, scene.solve.degree);
+    Series& series = all.emplace_back(name(scene.refine.strategy), scene.solve.degree);
     const Clock clock;
     std::stop_source stop;
     bounds::Observer<2> observer;
@@ -56,7 +56,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   {
     const Interrupt interrupt;
     const Progress progress(isatty(STDERR_FILENO));
-    for (const char* strategy : {"uniform", "adaptive"})
+    for (const auto strategy : {scene::Strategy::uniform, scene::Strategy::adaptive})
       for (const int degree : {1, 2}) {
         if (interrupt.requested()) continue;
         scene.refine.strategy = strategy;

@@ -41,7 +41,7 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
   result.cell.resize(mesh.cells.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
-    const auto& compliance = problem.bodies[mesh.cell_body[c]].compliance;
+    const auto& compliance = problem.bodies[mesh.cell_body[c]].material.compliance();
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const auto sigma = displacement_stress(problem, displacement, cell);
     const Voigt<dim> middle = (sigma[0] + sigma[1] + sigma[2]) / 3;
