@@ -1,5 +1,6 @@
 // A block pressed on a rigid wall by a punch-like load: the scene in code, the adaptive driver, the interval.
 #include <bounds/bounds.h>
+#include <bounds/results.h>
 #include <bracket/version.h>
 
 #include <cstdio>
@@ -26,6 +27,16 @@ int main() {
     const auto outcome = bounds::run(scene, observer);
     std::printf("Bracket %s: energy in [%.17g, %.17g], error at most %.2g of the solution\n", BRACKET_VERSION_STRING,
                 outcome.lower, outcome.upper, outcome.relative_error_bound);
+
+    // Computed from the fields, not guaranteed.
+    const auto contact = bounds::contact_result(outcome.problem, outcome.stress, 0);
+    const auto support = bounds::resultant(outcome.problem, outcome.stress, "block.left");
+    const auto largest = bounds::largest_displacement(outcome.problem, outcome.displacement);
+    const auto middle = bounds::values_at<2>(outcome.problem, outcome.displacement, outcome.stress, {1, 0.5});
+    std::printf("force of the wall %g, of the support %g; pressure up to %g, on %g of %g\n",
+                contact.resultant.force[1], support.force[0], contact.largest_pressure, contact.pressed_length,
+                contact.length);
+    std::printf("displacement up to %g; stress in the middle %g\n", largest.displacement.norm(), middle->stress[1]);
     return static_cast<int>(outcome.status);
   } catch (const scene::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
