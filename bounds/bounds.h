@@ -69,7 +69,7 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
 /// and refinement, until the target or the budget of scene.refine. Where the bodies do but follow the prescribed
 /// displacements and gaps, rigidly and without loads, the bracket is [0, 0] and the first mesh is the last. Where the
 /// memory does not suffice for a level, or no thread can be had for it, the run ends like one whose budget is spent.
-/// \throw scene::Error for all that the user can mend
+/// \throw scene::Error for all that the user can mend, as scene::check()
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
 
 /// The same from data that are fixed already and may have been changed since: of `scene` only the settings count, and

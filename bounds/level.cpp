@@ -14,7 +14,7 @@ namespace {
 
 template <int dim>
 dual::Result<dim> solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
-  if (scene.solve.dual == "uzawa")
+  if (scene.solve.dual == scene::Dual::uzawa)
     return dual::uzawa(meshed.problem, particular_stress(meshed.problem),
                        [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
   return dual::solve(meshed.problem, meshed.dual_closed);

@@ -51,7 +51,7 @@ template <int dim> bool finer_mesh_may_help(const Examined<dim>& examined) {
 
 /// Which budget is spent after `meshes` meshes; empty: none.
 std::string spent(const scene::Refine& refine, int meshes, double seconds) {
-  if (refine.strategy == "none") return "the mesh is not refined (strategy \"none\")";
+  if (refine.strategy == scene::Strategy::none) return "the mesh is not refined (strategy \"none\")";
   if (meshes >= refine.max_levels) return fmt::format("max_levels = {}", refine.max_levels);
   if (seconds >= refine.max_seconds) return fmt::format("max_seconds = {:g}", refine.max_seconds);
   return "";
@@ -126,7 +126,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         outcome.guarantee = "rounding-safe";
         if (observer.level) observer.level(outcome);
         if (examined.unstrained || reached(outcome, refine.target)) return outcome;
-      } else if (!finer_mesh_may_help(examined) || refine.strategy == "none") {
+      } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
         return ended(std::move(outcome), refine, examined.unsolved, true);
       }
       if (observer.stop.stop_requested()) return ended(std::move(outcome), refine, "stopped on request", true);
@@ -137,7 +137,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       if (observer.stage) observer.stage("refinement");
       const Clock refining;
       size = "more than " + size;
-      meshed = bracketed && refine.strategy == "adaptive"
+      meshed = bracketed && refine.strategy == scene::Strategy::adaptive
                    ? finer(outcome.problem, mark(outcome.problem, outcome.indicator, refine.bulk), examined)
                    : finer(bracketed ? outcome.problem : meshed.problem, {}, examined);
       meshed.seconds = refining.seconds();
@@ -169,6 +169,7 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
 
 template <int dim>
 Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer) {
+  scene::check_settings(scene.refine, scene.solve);
   const auto first = [&] { return Meshed<dim>{.problem = std::move(problem), .changed = true}; };
   return run_from(scene, first, observer);
 }

@@ -25,13 +25,13 @@ std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const sc
 
   std::vector<std::string> skipped;
   if (problem.contact.empty()) skipped.push_back("interface problem: no contact");
-  if (scene.solve.dual == "hybrid" && std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
+  if (scene.solve.dual == scene::Dual::hybrid && std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
     skipped.push_back("particular stress field: no body force");
   if (!floating) skipped.push_back("rigid motions: every body is held by its supports");
   if (std::none_of(problem.facets.begin(), problem.facets.end(), is_prescribed))
     skipped.push_back("work of supports: no displacement is prescribed but zero");
-  if (scene.refine.strategy == "none") skipped.push_back("marking and refinement: strategy \"none\"");
-  if (scene.refine.strategy == "uniform") skipped.push_back("marking: every cell is refined");
+  if (scene.refine.strategy == scene::Strategy::none) skipped.push_back("marking and refinement: strategy \"none\"");
+  if (scene.refine.strategy == scene::Strategy::uniform) skipped.push_back("marking: every cell is refined");
   return skipped;
 }
 

@@ -26,7 +26,7 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, do
     double perimeter = 0;
     for (int k = 0; k < 3; ++k) perimeter += (mesh.vertices[v[(k + 1) % 3]] - mesh.vertices[v[k]]).norm();
     const double strain = size * perimeter / (2 * area);  // the gradient of a vertex' own function is edge / (2 area)
-    energy += area / 2 * problem.bodies[mesh.cell_body[c]].stiffness.norm() * strain * strain;
+    energy += area / 2 * problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
   }
   return energy;
 }

@@ -30,7 +30,7 @@ template <int dim> void set_supports(const Problem<dim>& problem, std::vector<Ed
 
 template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
   const auto& mesh = problem.mesh;
-  const BlockElement block = block_element(corners(mesh, c), body_of(problem, c).compliance);
+  const BlockElement block = block_element(corners(mesh, c), body_of(problem, c).material.compliance());
   Cell cell{block.piola, block.compliance.llt(), block.loads, {}};
   for (int e = 0; e < 3; ++e) {
     const int mesh_edge = mesh.cell_edges[c][e];
@@ -58,7 +58,7 @@ template <int dim> void add_prescribed(const scene::FacetData<dim>& data, int ed
 template <int dim> Particular weight(const Problem<dim>& problem, const Layout& layout, const Cell& cell, int c) {
   const auto& mesh = problem.mesh;
   const auto& body = body_of(problem, c);
-  Particular result = particular(corners(mesh, c), cell.piola, body.compliance, body.force);
+  Particular result = particular(corners(mesh, c), cell.piola, body.material.compliance(), body.force);
   for (int e = 0; e < 3; ++e)
     for (int i = 0; i < 2; ++i) {
       auto own = result.loads.segment<2>(4 * e + 2 * i);

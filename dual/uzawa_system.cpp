@@ -33,7 +33,7 @@ UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell& cell, int c, const
                      int first_multiplier, const scene::Stress<dim>& particular) {
   UzawaCell result{half_stiffness(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
   result.linear = cell.compliance.matrixL().solve(
-      coupling(corners(problem.mesh, c), cell.piola, body_of(problem, c).compliance, particular.cell[c]));
+      coupling(corners(problem.mesh, c), cell.piola, body_of(problem, c).material.compliance(), particular.cell[c]));
   for (int& multiplier : result.multipliers)
     if (multiplier >= 0) multiplier += first_multiplier;
   return result;

@@ -60,7 +60,7 @@ void for_each_cell(const scene::Problem<dim>& problem, int component, int degree
   for (const auto& cell : triangulation.active_cell_iterators()) {
     values.reinit(cell);
     stiffness.setZero();
-    const auto& elasticity = body_of(problem, cells[cell->active_cell_index()]).stiffness;
+    const auto& elasticity = body_of(problem, cells[cell->active_cell_index()]).material.stiffness();
     for (const unsigned int q : values.quadrature_point_indices()) {
       for (int i = 0; i < n; ++i) {
         const auto gradient = values.shape_grad(i, q);

@@ -117,6 +117,7 @@ template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
 }  // namespace
 
 template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree) {
+  scene::check_degree(degree);
   const auto& mesh = problem.mesh;
   Nodes<dim> nodes{degree, {}, {}};
   nodes.node.resize(mesh.vertices.size() + (degree == 2 ? mesh.edges.size() : 0));

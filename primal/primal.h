@@ -20,7 +20,7 @@ template <int dim> struct Result {
 /// What can be said of a contact without a solve: whether the displacements prescribed on both of its sides leave any
 /// that are admissible, K_h ≠ ∅ there.
 /// \param degree 1 or 2, as for Solver
-/// \throw scene::Error (ill_posed) where they alone already close a gap by more than it has
+/// \throw scene::Error (input: another degree; ill_posed: they alone already close a gap by more than it has)
 template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
 
 /// Minimises the potential energy L over K_h ⊂ K [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
@@ -28,7 +28,7 @@ template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int
 template <int dim> class Solver {
  public:
   /// \param degree of the displacements
-  /// \throw std::invalid_argument if it is neither 1 nor 2; scene::Error as check_prescribed()
+  /// \throw scene::Error (input) if it is neither 1 nor 2; as check_prescribed()
   Solver(const scene::Problem<dim>& problem, int degree);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed

@@ -50,7 +50,6 @@ template <int dim> struct Solver<dim>::Factorised {
 };
 
 template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree) {
-  if (degree != 1 && degree != 2) throw std::invalid_argument("primal::Solver: degree is neither 1 nor 2");
   const Clock clock;
   Nodes<dim> nodes = make_nodes(problem, degree);
   std::vector<Row> rows = contact_rows(problem, nodes);

@@ -3,30 +3,57 @@
 
 #include <optional>
 
+#include "scene/options.h"
 #include "scene/types.h"
 
 namespace bracket::scene {
 
-/// An elastic material and its weight. Isotropic materials keep stiffness and compliance in closed form, neither is
-/// computed as the inverse of the other, so that both stay accurate as ν → ½.
-struct Isotropic {
+/// Young's modulus (force by area), Poisson's ratio, and whether the plane problem is one of plane strain or stress.
+struct IsotropicConstants {
   double young, poisson;
-  bool plane_stress;
+  Plane plane;
 };
+
+/// An elastic material, made by isotropic() or anisotropic(). Stiffness, compliance and constants belong together:
+/// they are read, and replaced by another material as a whole.
+template <int dim> class Material {
+ public:
+  /// C, symmetric and positive definite: stress (force by area) by strain, in the notation of `Voigt`.
+  const Elasticity<dim>& stiffness() const { return stiffness_; }
+  /// C⁻¹: strain by stress. Of isotropic materials both are closed forms, neither is computed as the inverse of the
+  /// other, so that both stay accurate as ν → ½.
+  const Elasticity<dim>& compliance() const { return compliance_; }
+  /// What the matrices are made of; none of an anisotropic material.
+  const std::optional<IsotropicConstants>& constants() const { return constants_; }
+
+ private:
+  Material(const Elasticity<dim>& stiffness, const Elasticity<dim>& compliance,
+           std::optional<IsotropicConstants> constants = {})
+      : stiffness_(stiffness), compliance_(compliance), constants_(constants) {}
+  template <int d> friend Material<d> isotropic(double young, double poisson, Plane plane);
+  template <int d> friend Material<d> anisotropic(const Elasticity<d>& stiffness);
+
+  Elasticity<dim> stiffness_, compliance_;
+  std::optional<IsotropicConstants> constants_;
+};
+
+/// \throw Error (input) unless E > 0 and −1 < ν < ½ (plane stress: −1 < ν ≤ ½), and all entries of both matrices are
+///        within the range of a double
+template <int dim> Material<dim> isotropic(double young, double poisson, Plane plane);
+
+/// \param stiffness its upper triangle counts where it is symmetric but for rounding
+/// \throw Error (input) unless it is finite, symmetric within 64 ε of its largest entry, and positive definite: the
+/// least
+///        eigenvalue of it scaled to a unit diagonal is more than 64 ε, beyond what rounding can do to it
+template <int dim> Material<dim> anisotropic(const Elasticity<dim>& stiffness);
+
+/// A body's material and weight; none but given.
 template <int dim> struct Body {
-  std::optional<Isotropic> isotropic;  ///< what the matrices are made of
-  Elasticity<dim> stiffness = Elasticity<dim>::Zero();
-  Elasticity<dim> compliance = Elasticity<dim>::Zero();
+  Body(const Material<dim>& made_of) : material(made_of) {}
+
+  Material<dim> material;
   Vector<dim> force = Vector<dim>::Zero();  ///< body force per volume, constant
-  std::string where;
+  std::string where;                        ///< "file:line:column", for messages
 };
-
-/// Isotropic stiffness and compliance, plane strain unless `plane_stress`.
-/// \pre E > 0, −1 < ν < ½ (plane stress: −1 < ν ≤ ½)
-template <int dim> Body<dim> isotropic(double young, double poisson, bool plane_stress);
-
-/// Anisotropic: compliance is the inverse of `stiffness`.
-/// \pre symmetric, positive definite
-template <int dim> Body<dim> anisotropic(const Elasticity<dim>& stiffness);
 
 }  // namespace bracket::scene

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/fields.h"
+#include "scene/options.h"
 #include "scene/problem/problem.h"
 #include "scene/problem/refine.h"
 #include "scene/problem/rigid_motion.h"
@@ -23,17 +24,15 @@ template <int dim> struct Block {
   std::string body;
   std::array<std::array<double, 2>, dim> range;  ///< {x from, to}, {y from, to}
   std::array<int, dim> cells;
-  std::string where;  ///< "file:line:column", for messages; so below
+  std::string where = {};  ///< "file:line:column", for messages; so below
 };
-
-enum class ConditionKind { fixed, sliding, traction, pressure };
 
 /// What is prescribed on one boundary part. `value`: `dim` functions for fixed (displacement) and traction (force per
 /// area), one for sliding (displacement along the outward normal) and pressure (traction −p n).
 template <int dim> struct Condition {
   ConditionKind kind;
   std::vector<Function<dim>> value;
-  std::string where;
+  std::string where = {};
 };
 
 /// A frictionless contact pair. The gap is measured along the outward normal of `first`, ≥ 0 open, < 0 interference.
@@ -41,28 +40,29 @@ template <int dim> struct ContactPair {
   std::string first;
   std::string second;  ///< a boundary part, or "rigid": a wall along `first`
   Function<dim> gap;
-  std::string where;
+  std::string where = {};
 };
 
+/// How the mesh is refined, and when a run ends.
 struct Refine {
-  std::string strategy = "none";
-  double target = 0;  ///< relative error bound to reach; 0: none asked
-  double bulk = 0.5;
-  int max_levels = 30;
-  int max_cells = 200000;
-  double max_seconds = 600;
+  Strategy strategy = Strategy::none;
+  double target = 0;         ///< relative error bound to reach, ≥ 0; 0: none asked
+  double bulk = 0.5;         ///< adaptive: the marked cells' share of the width, in (0, 1]
+  int max_levels = 30;       ///< meshes, ≥ 1
+  int max_cells = 200000;    ///< of a mesh that is solved on, but for the first; ≥ 1
+  double max_seconds = 600;  ///< ≥ 1; asked after each level
 };
 
 struct Solve {
-  int degree = 2;               ///< of the displacements, 1 or 2
-  std::string dual = "hybrid";  ///< or "uzawa"
+  int degree = 2;  ///< of the displacements, 1 or 2
+  Dual dual = Dual::hybrid;
 };
 
 template <int dim> struct Scene {
   std::string file;  ///< where it was read from; empty if built in code
   std::string title;
   std::string units;
-  std::string plane = "strain";  ///< or "stress"
+  Plane plane = Plane::strain;
   std::vector<Block<dim>> blocks;
   std::filesystem::path mesh_file;  ///< empty: blocks
   std::string mesh_where;
@@ -78,16 +78,30 @@ template <int dim> struct Scene {
 template <int dim>
 Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+/// Checks all that can be said of a scene without its mesh: that it has blocks or a mesh file, not both, and one block
+/// for each body; that materials are made for its plane; as many functions as each condition needs; contact pairs of
+/// two parts, each in one pair and without a condition; that settings are within the limits of Refine and Solve; that
+/// numbers are finite and of a size within those of scene/range.h. build_mesh(), fix_data() and what calls them begin
+/// with it, so that nothing goes on with a scene that is not as it should be.
+/// \throw Error (input), one line for the first fault
+template <int dim> void check(const Scene<dim>& scene);
+/// The part of it that concerns the settings alone.
+void check_settings(const Refine& refine, const Solve& solve);
+/// \throw Error (input) unless displacements of this degree are known: 1 or 2
+void check_degree(int degree);
+
 /// The scene's blocks as a mesh, or its mesh file read.
-/// \throw Error (input: no such file; mesh: not usable)
+/// \throw Error (input: as check(), no such file; mesh: not usable)
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
 /// interpolated linearly, gaps quadratically; matches the contact sides edge by edge; gives the facets of one straight
 /// line one normal; where displacements are prescribed on both sides of a contact's vertex and close more than its gap
 /// by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to their approach.
-/// \throw Error (input: unknown names, two conditions on one part, values that are not finite or out of
-///        range, prescribed displacements that contradict each other at a vertex; mesh: sides that do not match)
+/// \param mesh that of the scene, or another whose bodies and parts have its names; the scene then needs no mesh of its
+/// own \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
+/// displacements
+///        that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 
 }  // namespace bracket::scene

@@ -81,8 +81,8 @@ std::string pair_text(const scene::Scene<2>& scene, const scene::Problem<2>& pro
 
 std::string problem_text(const scene::Scene<2>& scene, const scene::Problem<2>& problem) {
   const scene::Mesh<2>& mesh = problem.mesh;
-  std::string text =
-      fmt::format("{} (plane {}{})\n", scene.title, scene.plane, scene.units.empty() ? "" : "; units " + scene.units);
+  std::string text = fmt::format("{} (plane {}{})\n", scene.title, name(scene.plane),
+                                 scene.units.empty() ? "" : "; units " + scene.units);
   text += mesh_text(mesh);
   for (int body = 0; body < static_cast<int>(mesh.bodies.size()); ++body) {
     const scene::Vector<2>& force = problem.bodies[body].force;

@@ -29,7 +29,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
 
   std::vector<Series> all;
   const auto solve = [&](Watch& watch) {
-    Series& series = all.emplace_back(scene.refine.strategy, scene.solve.degree);
+    Series& series = all.emplace_back(name(scene.refine.strategy), scene.solve.degree);
     const Clock clock;
     const std::string label = fmt::format("{}, degree {}: ", series.strategy, series.degree);
     const auto level = [&](const bounds::Outcome<2>& so_far) {
@@ -46,7 +46,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   Ending ending;
   {
     Watch watch;
-    for (const char* strategy : {"uniform", "adaptive"})
+    for (const auto strategy : {scene::Strategy::uniform, scene::Strategy::adaptive})
       for (const int degree : {1, 2}) {
         if (watch.interrupted()) continue;
         scene.refine.strategy = strategy;

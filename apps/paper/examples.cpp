@@ -35,8 +35,8 @@ scene::Scene<2> two_blocks(int n) {
   scene::Scene<2> scene;
   scene.title = "Example 1";
   scene.blocks = {block("slider", 0), block("stop", 1)};
-  scene.bodies = {{"slider", scene::isotropic<2>(slider_young, poisson, false)},
-                  {"stop", scene::isotropic<2>(stop_young, poisson, false)}};
+  scene.bodies = {{"slider", scene::isotropic<2>(slider_young, poisson, scene::Plane::strain)},
+                  {"stop", scene::isotropic<2>(stop_young, poisson, scene::Plane::strain)}};
   scene.boundary = {{"slider.bottom", {ConditionKind::sliding, {constant(0)}, ""}},
                     {"slider.left", {ConditionKind::pressure, {constant(mean_pressure)}, ""}}};
   scene.contact = {{"slider.right", "stop.left", constant(0), ""}};
@@ -147,7 +147,7 @@ std::tuple<double, double> distance_and_norm(const bounds::Outcome<2>& outcome, 
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
     const int body = problem.mesh.cell_body[c];
     const auto& stress = (problem.mesh.bodies[body] == "slider" ? exact.slider : exact.stop).stress;
-    const auto& compliance = problem.bodies[body].compliance;
+    const auto& compliance = problem.bodies[body].material.compliance();
     distance += squared_distance(triangle(problem.mesh, c), stress, outcome.stress.cell[c], compliance);
     norm += squared_distance(triangle(problem.mesh, c), stress, zero, compliance);
   }
@@ -211,7 +211,7 @@ std::vector<Measured> measure(const Example& example, const std::vector<int>& me
   if (!smooth) {
     stage(example.name + ": reference");
     scene::Scene<2> scene = example.scene(2);
-    scene.refine = {.strategy = "adaptive", .target = reference_error, .max_levels = 60};
+    scene.refine = {.strategy = scene::Strategy::adaptive, .target = reference_error, .max_levels = 60};
     const auto reference = bounds::run(scene);
     energy = reference.upper;
     norm = std::sqrt(2 * reference.levels.back().plain.strain);

@@ -130,7 +130,7 @@ std::array<double, 2> exact_energies() {
     const auto& v = mesh.cells[c];
     strain += squared_distance({mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]},
                                of(static_cast<int>(c)).stress, zero,
-                               scene.bodies.at(mesh.bodies[mesh.cell_body[c]]).compliance) /
+                               scene.bodies.at(mesh.bodies[mesh.cell_body[c]]).material.compliance()) /
               2;
   }
   for (const auto& facet : mesh.boundary) {

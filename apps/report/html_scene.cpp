@@ -27,21 +27,10 @@ class Range {
   double low_ = INFINITY, high_ = -INFINITY;
 };
 
-// Young's modulus and Poisson's ratio, where the compliance is that of an isotropic material.
-std::optional<std::pair<double, double>> isotropic_constants(const scene::Elasticity<2>& compliance,
-                                                             bool plane_stress) {
-  const double s11 = compliance(0, 0), s12 = compliance(0, 1), ratio = s12 / s11, rounding = 1e-12;
-  const double poisson = plane_stress ? -ratio : ratio / (ratio - 1);
-  const double young = (plane_stress ? 1 : 1 - poisson * poisson) / s11;
-  const scene::Elasticity<2> isotropic = scene::isotropic<2>(young, poisson, plane_stress).compliance;
-  if ((compliance - isotropic).cwiseAbs().maxCoeff() > rounding * s11) return std::nullopt;
-  return std::pair(young, poisson);
-}
-
-std::string material(const scene::Body<2>& body, bool plane_stress) {
-  if (const auto constants = isotropic_constants(body.compliance, plane_stress))
-    return fmt::format("E = {:.10g}, ν = {:.10g}", constants->first, constants->second);
-  const auto& c = body.stiffness;
+std::string material_text(const scene::Material<2>& material) {
+  if (const auto& constants = material.constants())
+    return fmt::format("E = {:.10g}, ν = {:.10g}", constants->young, constants->poisson);
+  const auto& c = material.stiffness();
   return fmt::format("c₁₁ = {:.6g}, c₂₂ = {:.6g}, c₁₂ = {:.6g}, c₁₆ = {:.6g}, c₂₆ = {:.6g}, c₆₆ = {:.6g}", c(0, 0),
                      c(1, 1), c(0, 1), c(0, 2), c(1, 2), c(2, 2));
 }
@@ -58,7 +47,7 @@ std::string bodies(const Report& report) {
       area += scene::volume(problem.mesh, cell);
     }
     const scene::Vector<2>& force = problem.bodies[body].force;
-    rows.push_back({escaped(problem.mesh.bodies[body]), material(problem.bodies[body], report.scene.plane == "stress"),
+    rows.push_back({escaped(problem.mesh.bodies[body]), material_text(problem.bodies[body].material),
                     fmt::format("({:.6g}, {:.6g})", force.x(), force.y()), fmt::format("{:.6g}", area),
                     fmt::to_string(cells)});
   }
@@ -130,10 +119,10 @@ std::string contact(const Report& report) {
 std::string settings(const scene::Scene<2>& scene) {
   const scene::Refine& refine = scene.refine;
   return html_table({"setting", "value"},
-                    {{"plane", scene.plane},
+                    {{"plane", name(scene.plane)},
                      {"solve.degree", fmt::to_string(scene.solve.degree)},
-                     {"solve.dual", scene.solve.dual},
-                     {"refine.strategy", refine.strategy},
+                     {"solve.dual", name(scene.solve.dual)},
+                     {"refine.strategy", name(refine.strategy)},
                      {"refine.target", fmt::to_string(refine.target)},
                      {"refine.bulk", fmt::to_string(refine.bulk)},
                      {"refine.max_levels", fmt::to_string(refine.max_levels)},

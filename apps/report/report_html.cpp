@@ -165,7 +165,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0} – Bracket</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1><p>{2} · plane {3}{4}</p></header>\n",
-      title, html_style, escaped(report.scene.file), report.scene.plane,
+      title, html_style, escaped(report.scene.file), name(report.scene.plane),
       report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
   html += answer(report);
   if (guaranteed) html += scope(report) + pictures(report, drawings) + levels(report);

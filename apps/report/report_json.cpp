@@ -93,9 +93,9 @@ std::string report_json(const Report& report) {
     levels.push_back(level_json(outcome.levels[i], report.around[i]));
   Json json = heading(report.scene);
   const Json found = {{"units", report.scene.units},
-                      {"plane", report.scene.plane},
+                      {"plane", name(report.scene.plane)},
                       {"degree", report.scene.solve.degree},
-                      {"dual", report.scene.solve.dual},
+                      {"dual", name(report.scene.solve.dual)},
                       {"guarantee", outcome.guarantee},
                       {"status", report.running ? "running" : name(outcome.status)},
                       {"reason", outcome.reason},

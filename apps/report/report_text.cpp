@@ -137,7 +137,7 @@ std::string headline(const Report& report) {
 std::string report_text(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   std::string text = report.scene.title.empty() ? "\n" : fmt::format("\n{}\n", report.scene.title);
-  text += fmt::format("Scene: {}; plane {}{}\n", report.scene.file, report.scene.plane,
+  text += fmt::format("Scene: {}; plane {}{}\n", report.scene.file, name(report.scene.plane),
                       report.scene.units.empty() ? "" : "; units " + report.scene.units);
   text += explanation(report) + "\n";
   if (outcome.guarantee != "none") text += level_table(report);

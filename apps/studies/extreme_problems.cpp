@@ -41,33 +41,18 @@ Problem<2> with_loads_times(Problem<2> problem, double factor) {
   return with_data_times(std::move(problem), factor, factor, factor);
 }
 
-namespace {
-
-scene::Body<2> with_material_of(const scene::Body<2>& body, scene::Body<2> material) {
-  material.force = body.force;
-  material.where = body.where;
-  return material;
-}
-
-}  // namespace
-
 Problem<2> with_moduli_times(Problem<2> problem, int body, double factor) {
-  scene::Body<2>& own = problem.bodies[body];
-  if (own.isotropic) {
-    const auto& [young, poisson, plane_stress] = *own.isotropic;
-    own = with_material_of(own, scene::isotropic<2>(factor * young, poisson, plane_stress));
-  } else {
-    own.stiffness *= factor;
-    own.compliance /= factor;
-  }
+  scene::Material<2>& own = problem.bodies[body].material;
+  const auto& constants = own.constants();
+  own = constants ? scene::isotropic<2>(factor * constants->young, constants->poisson, constants->plane)
+                  : scene::anisotropic<2>(factor * own.stiffness());
   return problem;
 }
 
 Problem<2> with_poisson(Problem<2> problem, double poisson) {
-  for (scene::Body<2>& body : problem.bodies) {
-    if (!body.isotropic) continue;
-    body = with_material_of(body, scene::isotropic<2>(body.isotropic->young, poisson, body.isotropic->plane_stress));
-  }
+  for (scene::Body<2>& body : problem.bodies)
+    if (const auto& constants = body.material.constants())
+      body.material = scene::isotropic<2>(constants->young, poisson, constants->plane);
   return problem;
 }
 

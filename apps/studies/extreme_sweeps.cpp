@@ -42,8 +42,8 @@ std::vector<Sweep> of_materials(const scene::Scene<2>& scene, const Problem<2>& 
   Sweep volume{
       "1/2 - nu", powers(10, -1, -8, -1), [benign](double left) { return with_poisson(benign, 0.5 - left); }, {}, ""};
   const bool isotropic =
-      std::ranges::any_of(benign.bodies, [](const auto& body) { return body.isotropic.has_value(); });
-  if (scene.plane == "stress")
+      std::ranges::any_of(benign.bodies, [](const auto& body) { return body.material.constants().has_value(); });
+  if (scene.plane == scene::Plane::stress)
     volume.left_out = "in plane stress nothing becomes stiff as nu approaches 1/2";
   else if (!isotropic)
     volume.left_out = "no body is isotropic";

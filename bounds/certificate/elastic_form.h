@@ -23,19 +23,19 @@ template <class Number> struct ElasticForm {
   }
 };
 
-template <class Number> ElasticForm<Number> elastic_form(const scene::Body<2>& body) {
+template <class Number> ElasticForm<Number> elastic_form(const scene::Material<2>& material) {
   const Number one(1), two(2);
-  if (body.isotropic) {
-    const Number young(body.isotropic->young), poisson(body.isotropic->poisson);
+  if (const auto& constants = material.constants()) {
+    const Number young(constants->young), poisson(constants->poisson);
     const Number shear = young / (two * (one + poisson));
-    const Number bulk = body.isotropic->plane_stress
+    const Number bulk = constants->plane == scene::Plane::stress
                             ? young / (two * (one - poisson))
                             : young / (two * (one + poisson) * (one - poisson - poisson));  // not 2 ν, which rounds
     // C = [bulk + shear, bulk − shear, 0; ·, bulk + shear, 0; 0, 0, shear]
     const Number sum = bulk + shear;
     return {{sum, two * two * bulk * shear / sum, shear}, {(bulk - shear) / sum, Number(0), Number(0)}};
   }
-  const auto c = [&](int i, int j) { return Number(body.stiffness(i, j)); };
+  const auto c = [&](int i, int j) { return Number(material.stiffness()(i, j)); };
   ElasticForm<Number> form;
   form.d[0] = c(0, 0);
   form.l[0] = c(1, 0) / form.d[0];
@@ -48,7 +48,7 @@ template <class Number> ElasticForm<Number> elastic_form(const scene::Body<2>& b
 
 template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const scene::Problem<2>& problem) {
   std::vector<ElasticForm<Number>> forms;
-  for (const auto& body : problem.bodies) forms.push_back(elastic_form<Number>(body));
+  for (const auto& body : problem.bodies) forms.push_back(elastic_form<Number>(body.material));
   return forms;
 }
 

@@ -73,7 +73,7 @@ std::string number_fault(const Problem<2>& problem) {
   for (const auto& pair : problem.contact)
     if (!all_finite(pair.lower) || !all_finite(pair.upper)) return "a gap is not finite";
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const auto form = elastic_form<Enclosure>(problem.bodies[b]);
+    const auto form = elastic_form<Enclosure>(problem.bodies[b].material);
     const bool definite = std::ranges::all_of(form.d, [](const Enclosure& d) { return d.middle > d.radius; });
     if (!definite || !problem.bodies[b].force.allFinite())
       return fmt::format("the material of '{}' is not positive definite, or its weight not finite",

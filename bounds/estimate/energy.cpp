@@ -35,7 +35,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
     const auto& body = problem.bodies[mesh.cell_body[c]];
-    const auto form = [&](const Voigt<dim>& e) { return 0.5 * e.dot(body.stiffness * e); };
+    const auto form = [&](const Voigt<dim>& e) { return 0.5 * e.dot(body.material.stiffness() * e); };
     strain += integrate(form, strain_at_vertices(mesh, displacement, cell), scene::volume(mesh, cell));
     if (!body.force.isZero(0)) work += body_force_work(mesh, displacement, body.force, cell);
   }
@@ -53,7 +53,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
   const auto& mesh = problem.mesh;
   Sum energy = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const auto& compliance = problem.bodies[mesh.cell_body[c]].compliance;
+    const auto& compliance = problem.bodies[mesh.cell_body[c]].material.compliance();
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const int cell = static_cast<int>(c);
     const double part = scene::volume(mesh, cell) / (dim + 1);

@@ -54,7 +54,7 @@ Checks admissibility(const scene::Problem<dim>& problem, const scene::Displaceme
 /// The terms of the gap identity; they are ≥ 0 and add up to the width of the bracket.
 struct Indicator {
   std::vector<double> cell;     ///< ½ ‖σ(u_h) − λ_h‖²_{C⁻¹} on each cell
-  std::vector<double> contact;  ///< ∫ p_h (g − r(u_h)) on each contact facet
+  std::vector<double> contact;  ///< ∫ p_h (g − r(u_h)) on each contact facet, rounding of p_h included
   double sum = 0;
 };
 template <int dim>
@@ -92,9 +92,18 @@ template <int dim>
 double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                           const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
+/// The pressure of λ_h on each contact facet, at the first facet's vertices 0 and 1, linear between; exactly 0 where it
+/// is not more than rounding of λ_h. That is seen where λ_h n has to be something known: by the most that, on the
+/// bodies of the pair, it misses the loads of Γ_τ and has of shear on Γ_0 and Γ_K (up to Checks::tolerance of their
+/// largest stress; what is more is not rounding), and by 1e-11 of that stress, below which the certificate has no
+/// pressure either.
+template <int dim>
+std::vector<std::array<double, 2>> contact_pressure(const scene::Problem<dim>& problem,
+                                                    const scene::Stress<dim>& stress);
+
 /// On one contact facet, at the first facet's vertices 0 and 1 (and its midpoint: gap only).
 struct ContactState {
-  std::array<double, 2> pressure;  ///< of λ_h
+  std::array<double, 2> pressure;  ///< of λ_h, see contact_pressure()
   std::array<double, 3> gap_left;  ///< g − r(u_h)
 };
 template <int dim>

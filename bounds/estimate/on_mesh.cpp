@@ -36,7 +36,7 @@ template <int dim>
 std::array<Voigt<dim>, dim + 1> displacement_stress(const scene::Problem<dim>& problem,
                                                     const scene::Displacement<dim>& displacement, int cell) {
   auto field = strain_at_vertices(problem.mesh, displacement, cell);
-  for (auto& value : field) value = (problem.bodies[problem.mesh.cell_body[cell]].stiffness * value).eval();
+  for (auto& value : field) value = (problem.bodies[problem.mesh.cell_body[cell]].material.stiffness() * value).eval();
   return field;
 }
 

@@ -1,17 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Planar: rectangles of triangles.
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "scene/mesh/topology.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
 
 namespace {
-
-constexpr double most_cells = 2e7;  // so that all indices, three and four to a cell, are far from the end of int
 
 /// The boundary edges of a grid of nx × ny squares whose lower left vertex is `first`; parts in the order left, right,
 /// bottom, top, from `part` on.
@@ -32,17 +26,8 @@ std::vector<PartEdge> grid_boundary(int first, int nx, int ny, int part) {
 Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& where) {
   Mesh<2> mesh;
   std::vector<PartEdge> part_edges;
-  double cells = 0;
   for (const Block<2>& block : blocks) {
     const auto [nx, ny] = block.cells;
-    cells += 2.0 * nx * ny;
-    if (cells > most_cells) {
-      fail(Status::input, block.where, fmt::format("the blocks have more than {:.0f} cells together", most_cells));
-    }
-    if (std::find(mesh.bodies.begin(), mesh.bodies.end(), block.body) != mesh.bodies.end()) {
-      fail(Status::input, block.where,
-           fmt::format("there is another block of the body '{}'; a body is one block", block.body));
-    }
     const int first = static_cast<int>(mesh.vertices.size());
     const int body = static_cast<int>(mesh.bodies.size());
     const auto at = [&](int axis, int i) {  // exact at both ends, so that blocks meet
@@ -72,6 +57,7 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& whe
 
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
   static_assert(dim == 2);
+  check(scene);
   if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
   try {
     return read_gmsh<dim>(scene.mesh_file);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene/fault.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
 #include "scene/problem/projection.h"
@@ -58,29 +59,11 @@ std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh
 }
 
 /// The facets in contact, pair by pair; gaps are still to be filled in.
-std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
-                                     const std::vector<const Condition<2>*>& conditions) {
-  std::vector<int> pair_of_part(mesh.parts.size(), -1);
+std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh) {
   std::vector<ContactFacet> contact;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
-    const auto claim = [&](const std::string& name, const std::vector<std::string>& others = {}) {
-      const int part = part_named(mesh, name, pair.where, others);
-      if (conditions[part] != nullptr) {
-        fail(Status::input, pair.where,
-             fmt::format("the part '{}' is in contact and has a condition of its own ({})", name,
-                         conditions[part]->where));
-      }
-      if (pair_of_part[part] != -1) {
-        fail(Status::input, pair.where,
-             pair_of_part[part] == static_cast<int>(i)
-                 ? fmt::format("first and second are the same part '{}'", name)
-                 : fmt::format("the part '{}' is in another contact pair already", name));
-      }
-      pair_of_part[part] = static_cast<int>(i);
-      return part;
-    };
-    const int first = claim(pair.first);
+    const int first = part_named(mesh, pair.first, pair.where);
     if (pair.second == "rigid") {
       if (std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end()) {
         fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
@@ -90,7 +73,8 @@ std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh,
         contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}, {}});
       }
     } else {
-      for (const auto& [one, other] : match_sides(mesh, first, claim(pair.second, {"rigid"}), pair.where)) {
+      const int second = part_named(mesh, pair.second, pair.where, {"rigid"});
+      for (const auto& [one, other] : match_sides(mesh, first, second, pair.where)) {
         contact.push_back({static_cast<int>(i), one, other, {}, {}});
       }
     }
@@ -201,10 +185,11 @@ template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<
 
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
   static_assert(dim == 2);
+  throw_if(fault_beside_mesh(scene));
   Problem<dim> problem;
   problem.bodies = bodies_of(scene, mesh);
   const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);
-  problem.contact = contact_of(scene, mesh, conditions);
+  problem.contact = contact_of(scene, mesh);
   problem.mesh = with_sides_joined(std::move(mesh), problem.contact);
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 #include "scene/range.h"
@@ -53,24 +53,34 @@ const toml::node& required(const toml::table& table, const std::string& name, co
   return *node;
 }
 
+const toml::node& deepest(const toml::table& root, const std::vector<std::string>& key) {
+  const toml::node* node = &root;
+  for (const std::string& step : key) {
+    const toml::node* next = nullptr;
+    if (const toml::table* inner = node->as_table()) next = inner->get(step);
+    if (const toml::array* entries = node->as_array()) next = entries->get(std::stoul(step));
+    if (next == nullptr) break;
+    node = next;
+  }
+  return *node;
+}
+
 double number(const toml::node& node, const std::string& name) {
   if (!node.is_number()) refuse(node, fmt::format("{} must be a number, not {}", name, type_of(node)));
   const double value = *node.value<double>();
-  if (!std::isfinite(value)) refuse(node, fmt::format("{} must be finite, is {}", name, value));
   check_size(value, where(node), name);
   return value;
 }
 
-int integer(const toml::node& node, const std::string& name, int smallest) {
+int integer(const toml::node& node, const std::string& name) {
   const auto value = node.value_exact<std::int64_t>();
   if (!value) {
     refuse(node,
            fmt::format("{} must be an integer, not {}", name, node.is_floating_point() ? "a fraction" : type_of(node)));
   }
-  if (*value < smallest || *value > std::numeric_limits<int>::max()) {
-    refuse(node, fmt::format("{} must be an integer from {} to {}, is {}", name, smallest,
-                             std::numeric_limits<int>::max(), *value));
-  }
+  constexpr int largest = std::numeric_limits<int>::max();
+  if (*value < -largest || *value > largest)
+    refuse(node, fmt::format("{} must be an integer of at most {} in size, is {}", name, largest, *value));
   return static_cast<int>(*value);
 }
 
@@ -85,6 +95,18 @@ std::string label(const toml::node& node, const std::string& name) {
   if (value.empty()) refuse(node, fmt::format("{} must not be empty", name));
   return value;
 }
+
+template <class Option> Option choice(const toml::node& node, const std::string& name) {
+  const std::string value = text(node, name);
+  const std::vector<std::string> known(option_names<Option>.begin(), option_names<Option>.end());
+  const auto found = std::find(known.begin(), known.end(), value);
+  if (found == known.end()) refuse(node, fmt::format("unknown {} \"{}\": {}", name, value, suggestion(value, known)));
+  return static_cast<Option>(found - known.begin());
+}
+
+template Plane choice<Plane>(const toml::node&, const std::string&);
+template Strategy choice<Strategy>(const toml::node&, const std::string&);
+template Dual choice<Dual>(const toml::node&, const std::string&);
 
 const toml::table& table(const toml::node& node, const std::string& name) {
   const toml::table* value = node.as_table();

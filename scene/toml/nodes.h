@@ -18,10 +18,15 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
 /// The node at `key`, which must be there.
 const toml::node& required(const toml::table& table, const std::string& name, const std::string& key);
 
-double number(const toml::node& node, const std::string& name);              ///< of a size that check_size() allows
-int integer(const toml::node& node, const std::string& name, int smallest);  ///< at least `smallest`
+/// The node at a key of a nested table, list entries by number, or the last one on the way that there is.
+const toml::node& deepest(const toml::table& root, const std::vector<std::string>& key);
+
+double number(const toml::node& node, const std::string& name);  ///< of a size that check_size() allows
+int integer(const toml::node& node, const std::string& name);
 std::string text(const toml::node& node, const std::string& name);
 std::string label(const toml::node& node, const std::string& name);  ///< a text that is not empty
+/// A value of the option whose names are `option_names<Option>`.
+template <class Option> Option choice(const toml::node& node, const std::string& name);
 const toml::table& table(const toml::node& node, const std::string& name);
 const toml::array& list(const toml::node& node, const std::string& name, std::size_t size);  ///< of `size` entries
 const toml::array& tables(const toml::node& node, const std::string& name);  ///< [[name]], at least one; all tables

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "scene/fault.h"
 #include "scene/text.h"
 #include "scene/toml/nodes.h"
 #include "scene/toml/override.h"
@@ -50,19 +50,15 @@ Block<2> read_block(const toml::table& entry) {
   check_keys(entry, "[[mesh.block]]", {"body", "x", "y", "cells"});
   Block<2> block;
   block.where = where(entry);
-  block.body = label(required(entry, "[[mesh.block]]", "body"), name + ".body");
+  block.body = text(required(entry, "[[mesh.block]]", "body"), name + ".body");
   const std::array<std::string, 2> axes = {"x", "y"};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::string key = name + "." + axes[axis];
     const toml::array& range = list(required(entry, "[[mesh.block]]", axes[axis]), key, 2);
     block.range[axis] = {number(range[0], key), number(range[1], key)};
-    if (block.range[axis][0] >= block.range[axis][1]) {
-      refuse(range, fmt::format("{} = [{}, {}] is empty; write [from, to] with from < to", key, block.range[axis][0],
-                                block.range[axis][1]));
-    }
   }
   const toml::array& cells = list(required(entry, "[[mesh.block]]", "cells"), name + ".cells", 2);
-  block.cells = {integer(cells[0], name + ".cells", 1), integer(cells[1], name + ".cells", 1)};
+  block.cells = {integer(cells[0], name + ".cells"), integer(cells[1], name + ".cells")};
   return block;
 }
 
@@ -74,7 +70,7 @@ Scene<2> read_mesh(const toml::table& entry, const std::filesystem::path& folder
   const toml::node* file = entry.get("file");
   const toml::node* blocks = entry.get("block");
   if ((file == nullptr) == (blocks == nullptr)) {
-    refuse(file == nullptr ? entry : *file, "[mesh] must have either a file or blocks ([[mesh.block]])");
+    refuse(file == nullptr ? entry : *file, "the mesh must be either a file or blocks ([[mesh.block]])");
   }
   if (file != nullptr) {
     scene.mesh_file = folder / label(*file, "mesh.file");
@@ -87,42 +83,26 @@ Scene<2> read_mesh(const toml::table& entry, const std::filesystem::path& folder
 
 // ---- [bodies] -------------------------------------------------------------------------------------------------------
 
-Body<2> read_isotropic(const toml::table& entry, const std::string& name, bool plane_stress) {
-  const toml::node& young_node = required(entry, "[" + name + "]", "E");
-  const toml::node& poisson_node = required(entry, "[" + name + "]", "nu");
-  const double young = number(young_node, name + ".E");
-  const double poisson = number(poisson_node, name + ".nu");
-  if (young <= 0) refuse(young_node, fmt::format("{}.E must be > 0, is {}", name, young));
-  if (poisson <= -1 || poisson > 0.5 || (poisson == 0.5 && !plane_stress)) {
-    refuse(poisson_node, fmt::format("{}.nu must lie in (-1, 0.5{} in plane {}, is {}", name, plane_stress ? "]" : ")",
-                                     plane_stress ? "stress" : "strain", poisson));
-  }
-  return isotropic<2>(young, poisson, plane_stress);
+Material<2> read_isotropic(const toml::table& entry, const std::string& name, Plane plane) {
+  const double young = number(required(entry, "[" + name + "]", "E"), name + ".E");
+  const double poisson = number(required(entry, "[" + name + "]", "nu"), name + ".nu");
+  if (const auto fault = isotropic_fault(young, poisson, plane))
+    refuse(deepest(entry, fault->key), name + "." + fault->message);
+  return isotropic<2>(young, poisson, plane);
 }
 
-Body<2> read_anisotropic(const toml::node& node, const std::string& name) {
+Material<2> read_anisotropic(const toml::node& node, const std::string& name) {
   const toml::array& rows = list(node, name, 3);
   Elasticity<2> stiffness;
   for (std::size_t i = 0; i < 3; ++i) {
     const toml::array& row = list(rows[i], name, 3);
     for (std::size_t j = 0; j < 3; ++j) stiffness(i, j) = number(row[j], name);
   }
-  const double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if ((stiffness - stiffness.transpose()).cwiseAbs().maxCoeff() > rounding * stiffness.cwiseAbs().maxCoeff()) {
-    refuse(node, name + " is not symmetric");
-  }
-  stiffness = Elasticity<2>(stiffness.selfadjointView<Eigen::Upper>());
-  bool definite = (stiffness.diagonal().array() > 0).all();
-  if (definite) {
-    const Voigt<2> scale = stiffness.diagonal().cwiseSqrt().cwiseInverse();
-    const Elasticity<2> unit = scale.asDiagonal() * stiffness * scale.asDiagonal();
-    definite = Eigen::SelfAdjointEigenSolver<Elasticity<2>>(unit).eigenvalues()[0] > rounding;
-  }
-  if (!definite) refuse(node, name + " is not positive definite");
+  if (const auto fault = anisotropic_fault(stiffness)) refuse(node, name + " " + fault->message);
   return anisotropic<2>(stiffness);
 }
 
-Body<2> read_body(const toml::table& entry, const std::string& name, bool plane_stress) {
+Body<2> read_body(const toml::table& entry, const std::string& name, Plane plane) {
   check_keys(entry, "[" + name + "]", {"E", "nu", "stiffness", "body_force"});
   const toml::node* stiffness = entry.get("stiffness");
   if (stiffness != nullptr && (entry.contains("E") || entry.contains("nu"))) {
@@ -131,8 +111,8 @@ Body<2> read_body(const toml::table& entry, const std::string& name, bool plane_
   if (stiffness == nullptr && !entry.contains("E") && !entry.contains("nu")) {
     refuse(entry, name + " has no material; write E and nu, or stiffness");
   }
-  Body<2> body = stiffness != nullptr ? read_anisotropic(*stiffness, name + ".stiffness")
-                                      : read_isotropic(entry, name, plane_stress);
+  Body<2> body =
+      stiffness != nullptr ? read_anisotropic(*stiffness, name + ".stiffness") : read_isotropic(entry, name, plane);
   body.where = where(entry);
   if (const toml::node* force = entry.get("body_force")) {
     const toml::array& components = list(*force, name + ".body_force", 2);
@@ -145,7 +125,8 @@ Body<2> read_body(const toml::table& entry, const std::string& name, bool plane_
 
 Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   const std::string name = "boundary.\"" + part + "\"";
-  const std::vector<std::string> kinds = {"fixed", "sliding", "traction", "pressure"};  // as in ConditionKind
+  const auto& known = option_names<ConditionKind>;
+  const std::vector<std::string> kinds(known.begin(), known.end());
   check_keys(entry, "[" + name + "]", kinds);
   if (entry.size() != 1) {
     refuse(entry, fmt::format("{} has {}; write one of {}", name, entry.empty() ? "no condition" : "two conditions",
@@ -171,10 +152,8 @@ ContactPair<2> read_contact(const toml::table& entry) {
   check_keys(entry, "[[contact]]", {"first", "second", "gap"});
   ContactPair<2> pair;
   pair.where = where(entry);
-  const toml::node& first = required(entry, "[[contact]]", "first");
-  pair.first = label(first, "contact.first");
-  if (pair.first == "rigid") refuse(first, "contact.first must be a boundary part; a rigid wall is the second side");
-  pair.second = label(required(entry, "[[contact]]", "second"), "contact.second");
+  pair.first = text(required(entry, "[[contact]]", "first"), "contact.first");
+  pair.second = text(required(entry, "[[contact]]", "second"), "contact.second");
   const toml::node* gap = entry.get("gap");
   pair.gap = gap != nullptr ? function(*gap, "contact.gap") : [](const Vector<2>&) { return 0.0; };
   return pair;
@@ -182,49 +161,23 @@ ContactPair<2> read_contact(const toml::table& entry) {
 
 // ---- [refine], [solve] ----------------------------------------------------------------------------------------------
 
-std::string read_choice(const toml::node& node, const std::string& name, const std::vector<std::string>& names) {
-  const std::string value = text(node, name);
-  if (std::find(names.begin(), names.end(), value) == names.end()) {
-    refuse(node, fmt::format("unknown {} \"{}\": {}", name, value, suggestion(value, names)));
-  }
-  return value;
-}
-
 Refine read_refine(const toml::table& entry) {
   check_keys(entry, "[refine]", {"strategy", "target", "bulk", "max_levels", "max_cells", "max_seconds"});
   Refine refine;
-  if (const toml::node* node = entry.get("strategy")) {
-    refine.strategy = read_choice(*node, "refine.strategy", {"none", "adaptive", "uniform"});
-  }
-  if (const toml::node* node = entry.get("target")) {
-    refine.target = number(*node, "refine.target");
-    if (refine.target < 0) refuse(*node, fmt::format("refine.target must not be negative, is {}", refine.target));
-  }
-  if (const toml::node* node = entry.get("bulk")) {
-    refine.bulk = number(*node, "refine.bulk");
-    if (refine.bulk <= 0 || refine.bulk > 1) {
-      refuse(*node, fmt::format("refine.bulk must lie in (0, 1], is {}", refine.bulk));
-    }
-  }
-  if (const toml::node* node = entry.get("max_levels")) refine.max_levels = integer(*node, "refine.max_levels", 1);
-  if (const toml::node* node = entry.get("max_cells")) refine.max_cells = integer(*node, "refine.max_cells", 1);
-  if (const toml::node* node = entry.get("max_seconds")) {
-    refine.max_seconds = number(*node, "refine.max_seconds");
-    if (refine.max_seconds < 1) {
-      refuse(*node, fmt::format("refine.max_seconds must be at least 1, is {}", refine.max_seconds));
-    }
-  }
+  if (const toml::node* node = entry.get("strategy")) refine.strategy = choice<Strategy>(*node, "refine.strategy");
+  if (const toml::node* node = entry.get("target")) refine.target = number(*node, "refine.target");
+  if (const toml::node* node = entry.get("bulk")) refine.bulk = number(*node, "refine.bulk");
+  if (const toml::node* node = entry.get("max_levels")) refine.max_levels = integer(*node, "refine.max_levels");
+  if (const toml::node* node = entry.get("max_cells")) refine.max_cells = integer(*node, "refine.max_cells");
+  if (const toml::node* node = entry.get("max_seconds")) refine.max_seconds = number(*node, "refine.max_seconds");
   return refine;
 }
 
 Solve read_solve(const toml::table& entry) {
   check_keys(entry, "[solve]", {"degree", "dual"});
   Solve solve;
-  if (const toml::node* node = entry.get("degree")) {
-    solve.degree = integer(*node, "solve.degree", 1);
-    if (solve.degree > 2) refuse(*node, fmt::format("solve.degree must be 1 or 2, is {}", solve.degree));
-  }
-  if (const toml::node* node = entry.get("dual")) solve.dual = read_choice(*node, "solve.dual", {"hybrid", "uzawa"});
+  if (const toml::node* node = entry.get("degree")) solve.degree = integer(*node, "solve.degree");
+  if (const toml::node* node = entry.get("dual")) solve.dual = choice<Dual>(*node, "solve.dual");
   return solve;
 }
 
@@ -236,27 +189,18 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   check_keys(root, "",
              {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "contact", "refine", "solve"});
   const toml::node& schema = required(root, "", "schema");
-  if (integer(schema, "schema", 1) != 1) refuse(schema, "schema must be 1, the only one that this version knows");
+  if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
   Scene<dim> scene = read_mesh(table(required(root, "", "mesh"), "mesh"), file.parent_path());
+  if (const auto fault = mesh_fault(scene)) refuse(deepest(root, fault->key), fault->message);
   scene.file = file.string();
   if (const toml::node* node = root.get("title")) scene.title = text(*node, "title");
   if (const toml::node* node = root.get("units")) scene.units = text(*node, "units");
-  if (const toml::node* node = root.get("plane")) {
-    const std::vector<std::string> planes = {"strain", "stress"};
-    scene.plane = text(*node, "plane");
-    if (std::find(planes.begin(), planes.end(), scene.plane) == planes.end()) {
-      refuse(*node, fmt::format("unknown plane \"{}\": {}", scene.plane, suggestion(scene.plane, planes)));
-    }
-  }
-  std::vector<std::string> known;
-  for (const Block<dim>& block : scene.blocks) known.push_back(block.body);
+  if (const toml::node* node = root.get("plane")) scene.plane = choice<Plane>(*node, "plane");
   for (const auto& [key, node] : table(required(root, "", "bodies"), "bodies")) {
-    const std::string name{key.str()};
-    if (!known.empty() && std::find(known.begin(), known.end(), name) == known.end()) {
-      refuse(node, fmt::format("no block makes the body '{}': {}", name, suggestion(name, known)));
-    }
-    scene.bodies.emplace(name, read_body(table(node, "bodies." + name), "bodies." + name, scene.plane == "stress"));
+    const std::string name = "bodies." + std::string{key.str()};
+    if (const auto fault = unmade_body(scene.blocks, std::string{key.str()})) refuse(node, fault->message);
+    scene.bodies.emplace(key.str(), read_body(table(node, name), name, scene.plane));
   }
   if (const toml::node* boundary = root.get("boundary")) {
     for (const auto& [key, node] : table(*boundary, "boundary")) {
@@ -269,6 +213,7 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   }
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
   if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"));
+  if (const auto fault = fault_of(scene)) refuse(deepest(root, fault->key), fault->message);
   return scene;
 }
 

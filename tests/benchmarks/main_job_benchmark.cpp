@@ -17,7 +17,7 @@ namespace {
 scene::Scene<2> glued(int n) {
   scene::Scene<2> s;
   s.blocks = {tests::block("both", 0, 1, 0, 2, n, 2 * n)};
-  s.bodies = {{"both", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"both", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.boundary = {
       {"both.bottom", tests::fixed(0, 0)},
       {"both.top", tests::traction(tests::constant(0), [](const auto& x) { return x[0] < 0.5 ? -0.1 : 0.09; })}};

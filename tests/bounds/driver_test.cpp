@@ -14,7 +14,7 @@ using scene::Vector;
 
 scene::Scene<2> adaptive(double target) {
   auto scene = tests::two_blocks(2);
-  scene.refine = {.strategy = "adaptive", .target = target, .max_cells = 20000};
+  scene.refine = {.strategy = scene::Strategy::adaptive, .target = target, .max_cells = 20000};
   return scene;
 }
 
@@ -34,7 +34,7 @@ TEST(Driver, sides_prescribed_to_touch_have_bounds) {
     for (int angle = 0; angle < 20; ++angle) {
       auto scene = tests::two_blocks(2);
       scene.solve.degree = degree;
-      scene.refine = {.strategy = "uniform", .max_levels = 2};
+      scene.refine = {.strategy = scene::Strategy::uniform, .max_levels = 2};
       for (const char* side : {".left", ".right"}) {
         scene.boundary[std::string("lower") + side] = tests::fixed(lower[0], lower[1]);
         scene.boundary[std::string("upper") + side] = tests::fixed(upper[0], upper[1]);
@@ -91,7 +91,7 @@ TEST(Driver, stops_on_request_after_a_finished_level) {
 }
 
 TEST(Driver, intersects_its_levels_and_never_raises_the_upper_bound) {
-  for (const char* strategy : {"adaptive", "uniform"})
+  for (const auto strategy : {scene::Strategy::adaptive, scene::Strategy::uniform})
     for (const int degree : {1, 2}) {
       auto scene = adaptive(0);
       scene.refine.strategy = strategy;
@@ -113,7 +113,7 @@ TEST(Driver, intersects_its_levels_and_never_raises_the_upper_bound) {
 
 TEST(Driver, uniform_refinement_agrees_with_another_mesh_of_that_size) {
   auto coarse = tests::two_blocks(4);
-  coarse.refine = {.strategy = "uniform", .max_levels = 3};
+  coarse.refine = {.strategy = scene::Strategy::uniform, .max_levels = 3};
   const auto refined = run(coarse);
   const auto other = run(tests::two_blocks(16));
   ASSERT_EQ(refined.levels.size(), 3u);
@@ -126,14 +126,14 @@ TEST(Driver, refines_where_a_coarse_mesh_cannot_balance_the_loads) {
   // The resultant acts within the outer third of the last edge: no linear pressure on one edge balances it, two do.
   scene::Scene<2> s;
   s.blocks = {tests::block("block", -1, 1, 0, 1, 1, 1)};
-  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
   s.boundary = {{"block.top", tests::pressure([](const auto& x) { return 1 - 1.5 * x[0]; })}};
   const auto coarse = run(s);
   EXPECT_EQ(coarse.status, Status::not_guaranteed);
   EXPECT_TRUE(coarse.levels.empty());
   EXPECT_NE(coarse.reason.find("refine"), std::string::npos) << coarse.reason;
-  s.refine = {.strategy = "adaptive", .max_levels = 4};
+  s.refine = {.strategy = scene::Strategy::adaptive, .max_levels = 4};
   const auto refined = run(s);
   EXPECT_EQ(refined.status, Status::done);
   EXPECT_FALSE(refined.levels.empty());
@@ -164,8 +164,8 @@ TEST(Driver, scenes_without_energy_have_no_width_but_for_rounding_of_what_moves_
     for (const int degree : {1, 2})
       for (const double young : {1.0, 2e11}) {
         scenes[i].solve.degree = degree;
-        scenes[i].bodies["lower"] = scene::isotropic<2>(young, 0.3, false);
-        scenes[i].refine = {.strategy = "adaptive", .target = 1e-6};
+        scenes[i].bodies.at("lower").material = scene::isotropic<2>(young, 0.3, scene::Plane::strain);
+        scenes[i].refine = {.strategy = scene::Strategy::adaptive, .target = 1e-6};
         const auto outcome = run(scenes[i]);
         EXPECT_EQ(outcome.status, Status::done) << i << ": " << outcome.reason;
         EXPECT_EQ(outcome.levels.size(), 1u) << i;
@@ -184,7 +184,7 @@ TEST(Driver, small_strains_are_not_taken_for_none) {
   for (const double asked : {1e-5, 1e-11}) {
     scene::Scene<2> s;
     s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
-    s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+    s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
     s.boundary = {{"b.left", tests::sliding(-1)}, {"b.right", tests::sliding(1 + asked)}};
     const auto outcome = run(s);
     const double strain = (1 + asked) - 1;  // what rounding leaves of it
@@ -201,7 +201,7 @@ TEST(Driver, loads_that_rounding_hides_are_not_taken_for_none) {
   // Uniaxial tension below a wall: L = −½ p²/E' < 0, but the gap is 10¹⁵ times as large as the displacements.
   scene::Scene<2> s;
   s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
-  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.boundary = {{"b.left", tests::pressure(tests::constant(-1e-15))},
                 {"b.right", tests::pressure(tests::constant(-1e-15))}};
   s.contact = {{"b.top", "rigid", tests::constant(1), ""}};

@@ -48,9 +48,9 @@ scene::Scene<2> in_units(double length, double force) {
   scene::Scene<2> s;
   s.blocks = {tests::block("lower", 0, length, 0, length, 3, 4),
               tests::block("upper", 0, length, length, 2 * length, 3, 2)};
-  s.bodies = {{"lower", scene::isotropic<2>(modulus, 0.3, false)},
-              {"upper", scene::isotropic<2>(5 * modulus, 0.4, true)}};
-  s.bodies["lower"].force = modulus / length * scene::Vector<2>(0.01, -0.05);
+  s.bodies = {{"lower", scene::isotropic<2>(modulus, 0.3, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(5 * modulus, 0.4, scene::Plane::strain)}};
+  s.bodies.at("lower").force = modulus / length * scene::Vector<2>(0.01, -0.05);
   s.boundary = {{"lower.left", tests::sliding(-0.02 * length)},
                 {"upper.right", tests::fixed(0.01 * length, -0.03 * length)},
                 {"upper.top", tests::traction(times(0.01 * modulus, [](const auto& x) { return x[0]; }),

@@ -18,7 +18,7 @@ using scene::Vector;
 scene::Scene<2> bent(double common, double strain, bool gap) {
   scene::Scene<2> s;
   s.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
-  s.bodies = {{"b", scene::isotropic<2>(1, 0, false)}};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0, scene::Plane::strain)}};
   s.boundary = {{"b.left", tests::sliding(-common)}};
   if (gap)
     s.contact = {{"b.right", "rigid", [=](const Vector<2>& x) { return common - strain * x[1]; }, ""}};
@@ -37,7 +37,7 @@ void expect_exact_energy_inside(double common, double strain, int levels) {
     for (const int degree : {1, 2}) {
       auto s = bent(common, exact_strain, gap);
       s.solve.degree = degree;
-      s.refine = {.strategy = "uniform", .max_levels = levels};
+      s.refine = {.strategy = scene::Strategy::uniform, .max_levels = levels};
       const auto outcome = run(s);
       SCOPED_TRACE(testing::Message() << "common " << common << ", strain " << exact_strain << ", gap " << gap
                                       << ", degree " << degree << ": " << outcome.reason);
@@ -64,11 +64,11 @@ TEST(OneProblem, of_a_strip_far_away_has_levels_that_share_a_point) {
     for (const int degree : {1, 2}) {
       scene::Scene<2> s;
       s.blocks = {tests::block("b", 0, 1, 0, 0.01, 20, 1)};
-      s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+      s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
       s.boundary = {{"b.left", tests::fixed(0, 0)},
                     {"b.right", tests::traction(tests::constant(1), tests::constant(0))}};
       s.solve.degree = degree;
-      s.refine = {.strategy = "uniform", .max_levels = 4};
+      s.refine = {.strategy = scene::Strategy::uniform, .max_levels = 4};
       auto mesh = scene::build_mesh(s);
       for (Vector<2>& x : mesh.vertices) x = Eigen::Rotation2Dd(0.5) * x + Vector<2>(away, -away);
       const auto outcome = run(s, scene::fix_data(s, mesh));
@@ -88,7 +88,7 @@ TEST(OneProblem, of_pressure_all_round_is_in_balance) {
   for (const double noise : {0.0, 1e-10, 1e-8, 1e-6, 1e-4}) {
     scene::Scene<2> s;
     s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
-    s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+    s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
     for (const char* side : {"b.left", "b.right", "b.bottom", "b.top"})
       s.boundary[side] = tests::pressure(tests::constant(1));
     auto mesh = scene::build_mesh(s);
@@ -105,7 +105,7 @@ TEST(OneProblem, of_pressure_all_round_is_in_balance) {
 TEST(OneProblem, has_loads_changed_by_no_more_than_rounding_explains) {
   scene::Scene<2> s;
   s.blocks = {tests::block("b", 0, 1, 0, 1, 2, 2)};
-  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.boundary = {{"b.left", tests::pressure(tests::constant(1))}, {"b.right", tests::pressure(tests::constant(1))}};
   auto problem = scene::fix_data(s, scene::build_mesh(s));
   for (auto& facet : problem.facets)

@@ -21,7 +21,7 @@ std::string refusal(const scene::Scene<2>& scene) {
 scene::Scene<2> on_a_wall() {
   scene::Scene<2> s;
   s.blocks = {tests::block("block", -1, 1, 0, 1, 4, 2)};
-  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
   return s;
 }
@@ -87,7 +87,7 @@ TEST(Solvability, bodies_stand_on_each_other) {
 TEST(Solvability, bodies_held_by_nothing_need_balanced_loads) {
   scene::Scene<2> s;
   s.blocks = {tests::block("free", 0, 1, 0, 1, 2, 2)};
-  s.bodies = {{"free", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"free", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   EXPECT_EQ(refusal(s), "");
   s.boundary = {{"free.left", tests::pressure(tests::constant(-1))},
                 {"free.right", tests::pressure(tests::constant(-1))}};

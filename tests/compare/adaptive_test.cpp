@@ -25,7 +25,7 @@ double slope(const std::vector<bounds::Level>& levels, int least, int most) {
 
 bounds::Outcome<2> refined(scene::Scene<2> scene, int degree, int max_cells) {
   scene.solve.degree = degree;
-  scene.refine = {.strategy = "adaptive", .max_levels = 100, .max_cells = max_cells};
+  scene.refine = {.strategy = scene::Strategy::adaptive, .max_levels = 100, .max_cells = max_cells};
   return bounds::run(scene);
 }
 
@@ -99,10 +99,10 @@ TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it
   auto file = from_file("three_halves");
   // The tractions, linear on each edge of this mesh, shift the energy by less than the widths.
   file.blocks[0].cells = {64, 32};
-  ASSERT_NEAR(file.bodies.begin()->second.compliance(0, 0), 1 - 0.09, 1e-12);
+  ASSERT_NEAR(file.bodies.begin()->second.material.compliance()(0, 0), 1 - 0.09, 1e-12);
   for (int levels = 1; levels <= 5; ++levels) {
     auto scene = file;
-    scene.refine = {.strategy = "adaptive", .max_levels = levels};
+    scene.refine = {.strategy = scene::Strategy::adaptive, .max_levels = levels};
     const auto outcome = bounds::run(scene);
     const auto& level = outcome.levels.back();
     double by_exact = 0, by_computed = 0;  // ∫ p (g − r_h), ∫ p_h (g − r)

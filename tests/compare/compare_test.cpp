@@ -97,7 +97,7 @@ Reaction reaction_of_displacements(const bounds::Outcome<2>& outcome, const Test
     const double area = scene::volume(problem.mesh, cell);
     for (const auto& s : bounds::displacement_stress(problem, outcome.displacement, cell))
       result.work += area / 3 * s.dot(e);
-    result.norm += area * e.dot(problem.bodies[problem.mesh.cell_body[c]].stiffness * e);
+    result.norm += area * e.dot(problem.bodies[problem.mesh.cell_body[c]].material.stiffness() * e);
   }
   result.norm = std::sqrt(result.norm);
   return result;
@@ -181,7 +181,7 @@ TEST_P(Compared, pressures_differ_by_no_more_than_the_stresses) {
     const double a = states[j].pressure[0] + m.dot(stress[(facet.local + 1) % 3]);
     const double b = states[j].pressure[1] + m.dot(stress[(facet.local + 2) % 3]);
     const double length = scene::length(problem.mesh, first), part = scene::volume(problem.mesh, facet.cell) / 3;
-    const double stiffness = m.dot(problem.bodies[problem.mesh.cell_body[facet.cell]].stiffness * m);
+    const double stiffness = m.dot(problem.bodies[problem.mesh.cell_body[facet.cell]].material.stiffness() * m);
     const double rounding = 1e-10 * largest;
     EXPECT_LE(length / 3 * (a * a + a * b + b * b),
               3 * length / part * stiffness * 2 * outcome.indicator.cell[facet.cell] + length * rounding * rounding);

@@ -18,9 +18,9 @@ TEST(Floating, an_unloaded_body_stays_near_what_it_touches) {
       s.solve.degree = degree;
       s.blocks = {tests::block("resting", 0, 0.1, 0.1, 0.2, 1, 1), tests::block("block", 0, 0.1, 0.2, 0.7, 1, 3),
                   tests::block("bar", 0.1, 5.1, 0.2, 0.7, 3, 3)};
-      s.bodies = {{"resting", scene::isotropic<2>(ratio, 0.3, true)},
-                  {"block", scene::isotropic<2>(1, 0.3, true)},
-                  {"bar", scene::isotropic<2>(1, 0.3, true)}};
+      s.bodies = {{"resting", scene::isotropic<2>(ratio, 0.3, scene::Plane::stress)},
+                  {"block", scene::isotropic<2>(1, 0.3, scene::Plane::stress)},
+                  {"bar", scene::isotropic<2>(1, 0.3, scene::Plane::stress)}};
       s.boundary = {{"block.left", tests::sliding(0)},
                     {"bar.top", tests::sliding(0)},
                     {"bar.right", tests::pressure(tests::constant(p))}};
@@ -45,7 +45,8 @@ TEST(Floating, a_ring_of_blocks_is_pressed_together) {
     s.solve.degree = degree;
     s.blocks = {tests::block("b00", 0, 1, 0, 1, 2, 3), tests::block("b10", 1, 2, 0, 1, 4, 3),
                 tests::block("b11", 1, 2, 1, 2, 4, 5), tests::block("b01", 0, 1, 1, 2, 2, 5)};
-    for (const auto& block : s.blocks) s.bodies[block.body] = scene::isotropic<2>(1, 0, true);
+    s.plane = scene::Plane::stress;
+    for (const auto& block : s.blocks) s.bodies.emplace(block.body, scene::isotropic<2>(1, 0, s.plane));
     for (const char* held : {"b00.left", "b01.left", "b00.bottom", "b10.bottom"}) s.boundary[held] = tests::sliding(0);
     for (const char* pressed : {"b10.right", "b11.right", "b01.top", "b11.top"})
       s.boundary[pressed] = tests::pressure(tests::constant(p));
@@ -66,15 +67,18 @@ TEST(Floating, soft_bodies_may_hold_stiff_ones) {
     scene::Scene<2> s;
     s.blocks = {tests::block("b00", 0, 0.1, 0, 0.5, 2, 6), tests::block("b01", 0, 0.1, 0.5, 2.5, 2, 2),
                 tests::block("b10", 0.1, 2.1, 0, 0.5, 2, 6), tests::block("b11", 0.1, 2.1, 0.5, 2.5, 2, 2)};
-    for (const auto& block : s.blocks)
-      s.bodies[block.body] = scene::isotropic<2>(block.body == "b01" ? ratio : 1, 0.3, true);
+    s.plane = scene::Plane::stress;
+    for (const auto& block : s.blocks) {
+      const double young = block.body == "b01" ? ratio : 1;
+      s.bodies.emplace(block.body, scene::isotropic<2>(young, 0.3, s.plane));
+    }
     s.boundary = {{"b00.left", tests::fixed(0, 0)},
                   {"b10.bottom", tests::fixed(0, 0)},
                   {"b10.right", tests::pressure(tests::constant(1e-3))}};
     s.contact = {{"b00.right", "b10.left", tests::constant(0), ""},
                  {"b11.left", "b01.right", tests::constant(0), ""},
                  {"b10.top", "b11.bottom", tests::constant(0), ""}};
-    s.refine.strategy = "uniform";
+    s.refine.strategy = scene::Strategy::uniform;
     s.refine.max_levels = 3;
     const auto outcome = run(s);
     EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason << ", ratio " << ratio;

@@ -17,8 +17,8 @@ struct Bar {
 scene::Problem<2> problem_of(const Bar& bar, bool on_wall) {
   scene::Scene<2> s;
   s.blocks = {block("bar", 0, 4, 0, 1, 4, 2)};
-  s.bodies = {{"left", scene::isotropic<2>(bar.young_left, 0, false)},
-              {"right", scene::isotropic<2>(bar.young_right, 0, false)}};
+  s.bodies = {{"left", scene::isotropic<2>(bar.young_left, 0, scene::Plane::strain)},
+              {"right", scene::isotropic<2>(bar.young_right, 0, scene::Plane::strain)}};
   s.boundary = {{"bar.right", traction(constant(bar.pull), constant(0))}};
   if (on_wall)
     s.contact = {{"bar.left", "rigid", constant(0), ""}};
@@ -46,7 +46,7 @@ TEST(Materials, OfOnePieceAreSolvedTogether) {
       for (const int degree : {1, 2}) {
         scene::Scene<2> settings;
         settings.solve.degree = degree;
-        settings.refine = {.strategy = "uniform", .max_levels = 2};
+        settings.refine = {.strategy = scene::Strategy::uniform, .max_levels = 2};
         const auto outcome = bounds::run(settings, first);
         ASSERT_EQ(outcome.levels.size(), 2u) << outcome.reason;
         for (const auto& level : outcome.levels) {

@@ -101,7 +101,7 @@ TEST(RoundedCoordinates, keep_the_interval_of_two_blocks) {
     for (const Place& place : places) {
       SCOPED_TRACE(testing::Message() << weight << ", " << place.angle << ", " << place.shift.transpose());
       scene::Scene<2> scene = placed(heavy_blocks(weight), place, folder);
-      scene.refine = {.strategy = "adaptive", .target = 0.01};
+      scene.refine = {.strategy = scene::Strategy::adaptive, .target = 0.01};
       const auto outcome = bounds::run(scene);
       EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason;
       ASSERT_FALSE(outcome.levels.empty());
@@ -127,7 +127,7 @@ TEST(RoundedCoordinates, keep_floating_bodies_in_balance) {
   for (const Place& place : places) {
     SCOPED_TRACE(testing::Message() << place.angle << ", " << place.shift.transpose());
     scene::Scene<2> scene = placed(linear_pressure(p, 4, 2), place, folder);
-    scene.refine = {.strategy = "uniform", .max_levels = 4};
+    scene.refine = {.strategy = scene::Strategy::uniform, .max_levels = 4};
     const auto outcome = bounds::run(scene);
     EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason;
     EXPECT_EQ(outcome.levels.size(), 4u);
@@ -144,7 +144,7 @@ TEST(RoundedCoordinates, keep_floating_bodies_in_balance) {
 TEST(RoundedCoordinates, end_refinement_where_they_resolve_no_more) {
   const scene::test::Folder folder;
   scene::Scene<2> scene = placed(two_blocks(4), {.shift = {1e13, 1e13}, .digits = 2}, folder);
-  scene.refine = {.strategy = "adaptive", .target = 1e-6};
+  scene.refine = {.strategy = scene::Strategy::adaptive, .target = 1e-6};
   const auto outcome = bounds::run(scene);
   EXPECT_EQ(outcome.status, scene::Status::budget);
   EXPECT_NE(outcome.reason.find("cannot be refined any further"), std::string::npos) << outcome.reason;

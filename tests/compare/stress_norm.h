@@ -16,7 +16,7 @@ inline scene::Stress<2> no_stress(const scene::Problem<2>& problem) {
 inline double stress_distance(const scene::Problem<2>& problem, const scene::Stress<2>& a, const scene::Stress<2>& b) {
   double sum = 0;
   for (std::size_t c = 0; c < a.cell.size(); ++c) {
-    const auto& compliance = problem.bodies[problem.mesh.cell_body[c]].compliance;
+    const auto& compliance = problem.bodies[problem.mesh.cell_body[c]].material.compliance();
     const double ninth = scene::volume(problem.mesh, static_cast<int>(c)) / 9;
     for (int k = 0; k < 3; ++k)
       for (int i = 0; i < 3; ++i) {

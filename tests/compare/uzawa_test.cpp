@@ -131,10 +131,10 @@ TEST(Uzawa, ends_with_a_reason_where_no_pressure_of_the_mesh_balances_the_loads)
   // pressure p ≥ 0 reaches from 1/3 to 2/3 only.
   scene::Scene<2> s;
   s.blocks = {block("b", 0, 1, 0, 1, 1, 1)};
-  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.boundary = {{"b.top", traction(constant(0), [](const Vector<2>& x) { return x[0] - 2.0 / 3; })}};
   s.contact = {{"b.bottom", "rigid", constant(0), ""}};
-  s.solve.dual = "uzawa";
+  s.solve.dual = scene::Dual::uzawa;
   const auto outcome = bounds::run(s);
   EXPECT_EQ(outcome.status, scene::Status::not_guaranteed);
   EXPECT_NE(outcome.reason.find("iterations of Uzawa's method"), std::string::npos) << outcome.reason;
@@ -144,7 +144,7 @@ TEST(Uzawa, ends_with_a_reason_where_no_pressure_of_the_mesh_balances_the_loads)
 TEST(Uzawa, a_run_gives_the_same_interval) {
   scene::Scene<2> s = two_blocks(2);
   const auto hybrid = bounds::run(s);
-  s.solve.dual = "uzawa";
+  s.solve.dual = scene::Dual::uzawa;
   const auto uzawa = bounds::run(s);
   EXPECT_EQ(uzawa.guarantee, "rounding-safe") << uzawa.reason;
   EXPECT_TRUE(uzawa.levels.at(0).checks.passed());

@@ -3,6 +3,7 @@
 #include <apps/report/report.h>
 #include <apps/report/vtk.h>
 #include <bounds/bounds.h>
+#include <bounds/results.h>
 #include <bracket/version.h>
 
 #include <cstdio>
@@ -14,13 +15,13 @@ int main() {
   const auto constant = [](double value) { return [value](const scene::Vector<2>&) { return value; }; };
 
   scene::Scene<2> scene;
-  scene.blocks = {{"block", {{{0, 2}, {0, 1}}}, {4, 2}, ""}};
-  scene.bodies["block"] = scene::isotropic<2>(210e3, 0.3, false);
-  scene.boundary["block.left"] = {scene::ConditionKind::sliding, {constant(0)}, ""};
-  scene.boundary["block.top"] = {
-      scene::ConditionKind::pressure, {[](const scene::Vector<2>& x) { return x[0] < 0.5 ? 100.0 : 0.0; }}, ""};
-  scene.contact = {{"block.bottom", "rigid", constant(0), ""}};
-  scene.refine = {.strategy = "adaptive", .target = 0.01};
+  scene.blocks = {{"block", {{{0, 2}, {0, 1}}}, {4, 2}}};
+  scene.bodies = {{"block", scene::isotropic<2>(210e3, 0.3, scene::Plane::strain)}};
+  scene.boundary["block.left"] = {scene::ConditionKind::sliding, {constant(0)}};
+  scene.boundary["block.top"] = {scene::ConditionKind::pressure,
+                                 {[](const scene::Vector<2>& x) { return x[0] < 0.5 ? 100.0 : 0.0; }}};
+  scene.contact = {{"block.bottom", "rigid", constant(0)}};
+  scene.refine = {.strategy = scene::Strategy::adaptive, .target = 0.01};
 
   try {
     bounds::Observer<2> observer;
@@ -33,6 +34,15 @@ int main() {
     std::ofstream("solution.vtu", std::ios::binary)
         << apps::solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator);
     std::ofstream("report.json") << apps::report_json(apps::report(scene, outcome));
+
+    // Computed from the fields, not guaranteed.
+    const auto contact = bounds::contact_result(outcome.problem, outcome.stress, 0);
+    const auto support = bounds::resultant(outcome.problem, outcome.stress, "block.left");
+    const auto largest = bounds::largest_displacement(outcome.problem, outcome.displacement);
+    const auto middle = bounds::values_at<2>(outcome.problem, outcome.displacement, outcome.stress, {1, 0.5});
+    std::printf("force of the wall %g, of the support %g; pressure up to %g, on %g of %g\n", contact.resultant.force[1],
+                support.force[0], contact.largest_pressure, contact.pressed_length, contact.length);
+    std::printf("displacement up to %g; stress in the middle %g\n", largest.displacement.norm(), middle->stress[1]);
     return static_cast<int>(outcome.status);
   } catch (const scene::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -31,7 +31,7 @@ std::vector<Triangle> triangles() {
           {Plane(0, 0), Plane(1e9, 0), Plane(1e8, 1e9)}};
 }
 
-scene::Elasticity<2> compliance() { return scene::isotropic<2>(2, 0.3, false).compliance; }
+scene::Elasticity<2> compliance() { return scene::isotropic<2>(2, 0.3, scene::Plane::strain).compliance(); }
 
 Plane traction(const Voigt<2>& s, const Plane& n) { return {s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]}; }
 

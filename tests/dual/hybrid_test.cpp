@@ -90,8 +90,8 @@ TEST(Hybrid, linear_pressure_between_floating_bodies_is_exact) {
 TEST(Hybrid, weight_on_a_wall_is_exact_without_lateral_strain) {
   scene::Scene<2> scene;
   scene.blocks = {tests::block("block", 0, 2, 0, 1, 4, 3)};
-  scene.bodies = {{"block", scene::isotropic<2>(3, 0, false)}};
-  scene.bodies["block"].force = {0, -0.5};
+  scene.bodies = {{"block", scene::isotropic<2>(3, 0, scene::Plane::strain)}};
+  scene.bodies.at("block").force = {0, -0.5};
   scene.boundary = {{"block.left", tests::sliding(0)}};
   scene.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
   const auto problem = scene::fix_data(scene, distorted(scene::build_mesh(scene), 0.3, 3));
@@ -118,7 +118,7 @@ TEST(Hybrid, prescribed_displacements_enter_exactly) {
   // A uniform strain prescribed on the whole boundary: constant stress, whatever the mesh.
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 3, 3)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.25, true)}};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.25, scene::Plane::stress)}};
   const Eigen::Matrix2d gradient = (Eigen::Matrix2d() << 0.1, 0.3, -0.2, 0.05).finished();
   const scene::Condition<2> linear = {scene::ConditionKind::fixed,
                                       {[&](const Vector<2>& x) { return gradient.row(0).dot(x); },
@@ -129,7 +129,7 @@ TEST(Hybrid, prescribed_displacements_enter_exactly) {
   const auto result = solve(problem);
   ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
   const Voigt<2> strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-  const Voigt<2> exact = scene.bodies["b"].stiffness * strain;
+  const Voigt<2> exact = scene.bodies.at("b").material.stiffness() * strain;
   EXPECT_LT(misfit(problem.mesh, result.stress, [&](const auto&) { return exact; }), 1e-12);
 }
 

@@ -129,7 +129,9 @@ std::array<Parameters, n_modes> all_modes(const Case& c, const BlockElement& blo
 
 BlockElement our_block(const Case& c) {
   const auto& [young, poisson, plane_stress, reference] = c.material;
-  return block_element(c.t, scene::isotropic<2>(young, poisson, plane_stress).compliance);
+  return block_element(
+      c.t,
+      scene::isotropic<2>(young, poisson, plane_stress ? scene::Plane::stress : scene::Plane::strain).compliance());
 }
 
 /// Rounding of the parameters of thin triangles: longest side squared by twice the area.

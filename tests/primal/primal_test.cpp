@@ -27,7 +27,7 @@ TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_
       }
       const Eigen::MatrixXd energy = fields.transpose() * k * fields;
       Eigen::MatrixXd exact = Eigen::MatrixXd::Zero(6, 6);
-      exact.bottomRightCorner<3, 3>() = scene::volume(mesh, cell) * problem.bodies[0].stiffness;
+      exact.bottomRightCorner<3, 3>() = scene::volume(mesh, cell) * problem.bodies[0].material.stiffness();
       EXPECT_LT((energy - exact).norm(), 1e-13 * k.norm());
       EXPECT_LT((k - k.transpose()).norm(), 1e-15 * k.norm());
     });
@@ -46,8 +46,8 @@ TEST(Displacements, patch_is_exact_for_both_degrees) {
 TEST(Displacements, vertex_with_two_sliding_normals_has_both_displacements) {
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 3, 4)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
-  scene.bodies["b"].force = {0.1, -0.2};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
+  scene.bodies.at("b").force = {0.1, -0.2};
   scene.boundary = {{"b.bottom", tests::sliding(0.01)}, {"b.left", tests::sliding(-0.02)}};
   auto mesh = scene::build_mesh(scene);
   for (Vector<2>& x : mesh.vertices) x[0] += 0.6 * x[1];
@@ -72,8 +72,8 @@ scene::Problem<2> wedge(double half_angle) {
   scene::Problem<2> problem;
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
-  scene.bodies["b"].force = {-std::cos(half_angle), -std::sin(half_angle)};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
+  scene.bodies.at("b").force = {-std::cos(half_angle), -std::sin(half_angle)};
   scene.contact = {{"b.bottom", "rigid", tests::constant(0), ""}, {"b.left", "rigid", tests::constant(0), ""}};
   return tests::problem(scene);
 }
@@ -97,7 +97,7 @@ TEST(Displacements, vertex_with_two_contact_normals_keeps_both_rows) {
 TEST(ContactRows, decided_rows_are_dropped_or_refused) {
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 2, 2)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   scene.contact = {{"b.bottom", "rigid", tests::constant(0.1), ""}};
   scene.boundary = {{"b.left", tests::fixed(0, -0.05)}, {"b.right", tests::sliding(0)}};
   {
@@ -120,7 +120,7 @@ TEST(ContactRows, what_is_prescribed_is_refused_at_its_place_without_a_solve) {
   // A side that rises by 0.01 while the other stays: only there the gap of 0.005 closes.
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 2, 2)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   scene.contact = {{"b.bottom", "rigid", tests::constant(0.005), ""}};
   scene.boundary = {{"b.left", tests::fixed(0, 0)}, {"b.right", tests::fixed(0, -0.01)}};
   const auto refusal = [&](int degree) -> std::string {
@@ -147,7 +147,7 @@ TEST(ContactRows, what_is_prescribed_is_refused_at_its_place_without_a_solve) {
 TEST(Displacements, a_body_that_is_not_held_in_floating_point_is_named) {
   scene::Scene<2> scene;
   scene.blocks = {tests::block("slab", 0, 1, 0, 1, 2, 2)};
-  scene.bodies = {{"slab", scene::isotropic<2>(1, 0.4999999999999999, false)}};
+  scene.bodies = {{"slab", scene::isotropic<2>(1, 0.4999999999999999, scene::Plane::strain)}};
   scene.boundary = {{"slab.left", tests::fixed(0, 0)}};
   const auto result = solve(tests::problem(scene), 2);
   EXPECT_EQ(result.termination, contact::Termination::not_definite);
@@ -158,7 +158,7 @@ TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
   // A gap that is closed at the ends of one facet and negative between: nodes alone would see no contact.
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
-  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, false)}};
+  scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   scene.contact = {{"b.bottom", "rigid", [](const Vector<2>& x) { return -x[0] * (1 - x[0]); }, ""}};
   scene.boundary = {{"b.top", tests::fixed(0, 0)}};
   const auto problem = tests::problem(scene);

@@ -206,8 +206,8 @@ TEST(Data, ContradictionsAreRefused) {
   Scene<2> no_body = scene_with({}), other_body = scene_with({});
   no_body.file = "the scene";
   no_body.bodies.erase("b");
-  other_body.bodies["c"] = other_body.bodies["a"];
-  other_body.bodies["c"].where = "here";
+  other_body.bodies.emplace("c", other_body.bodies.at("a"));
+  other_body.bodies.at("c").where = "here";
   const std::map<std::string, Bad> cases = {
       {"unknown part", {scene_with({{"a.botom", fixed_here}}), {"here:", "'a.botom'", "'a.bottom'", "b.top"}}},
       {"unknown contact side", {unknown_side, {"'b.botom'", "'b.bottom'"}}},
@@ -272,7 +272,7 @@ TEST(Data, CollinearSlidingPartsMustAgree) {
   content.lines = {{5, {0, 1}}, {6, {1, 2}}};
   Scene<2> scene;
   scene.mesh_file = folder.write("a.msh", gmsh_2(content));
-  scene.bodies = {{"lower", isotropic<2>(1, 0, false)}};
+  scene.bodies = {{"lower", isotropic<2>(1, 0, Plane::strain)}};
   scene.boundary = {{"base", {ConditionKind::sliding, {constant(0.5)}, "one"}},
                     {"joint below", {ConditionKind::sliding, {constant(0.5 * (1 + 1e-11))}, "other"}}};
   const Problem<2> problem = fixed(scene);

@@ -143,7 +143,7 @@ Function<2> constant(double value) {
 Scene<2> stacked(int cells, std::map<std::string, Condition<2>> boundary) {
   Scene<2> scene;
   scene.blocks = {{"a", {{{0, 1}, {0, 1}}}, {cells, cells}, ""}, {"b", {{{0, 1}, {1, 2}}}, {cells, cells}, ""}};
-  scene.bodies = {{"a", isotropic<2>(1, 0, false)}, {"b", isotropic<2>(1, 0, false)}};
+  scene.bodies = {{"a", isotropic<2>(1, 0, Plane::strain)}, {"b", isotropic<2>(1, 0, Plane::strain)}};
   scene.boundary = std::move(boundary);
   scene.contact = {{"a.top", "b.bottom", constant(0), ""}};
   return scene;

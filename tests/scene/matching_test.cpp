@@ -35,7 +35,7 @@ Scene<2> disc_in_ring(const Folder& folder, int n, double offset, int shift) {
   }
   Scene<2> scene;
   scene.mesh_file = folder.write("disc.msh", gmsh_2(content));
-  scene.bodies = {{"inside", isotropic<2>(1, 0, false)}, {"outside", isotropic<2>(1, 0, false)}};
+  scene.bodies = {{"inside", isotropic<2>(1, 0, Plane::strain)}, {"outside", isotropic<2>(1, 0, Plane::strain)}};
   scene.contact = {{"hole", "disc", constant(0), "here"}};
   return scene;
 }
@@ -88,7 +88,7 @@ TEST(Matching, StandsGradedMeshes) {
   }
   Scene<2> scene;
   scene.mesh_file = folder.write("graded.msh", gmsh_4(content));
-  scene.bodies = {{"lower", isotropic<2>(1, 0, false)}, {"upper", isotropic<2>(1, 0, false)}};
+  scene.bodies = {{"lower", isotropic<2>(1, 0, Plane::strain)}, {"upper", isotropic<2>(1, 0, Plane::strain)}};
   scene.contact = {{"up", "down", constant(0), "here"}};
   const Problem<2> problem = fix_data(scene, build_mesh(scene));
   EXPECT_EQ(problem.contact.size(), static_cast<std::size_t>(n));
@@ -103,7 +103,7 @@ TEST(Matching, AVertexMayBeInSeveralPairs) {
                   {"se", {{{1 + off, 2}, {0, 1 + off}}}, {2, 2}, ""},
                   {"ne", {{{1 - off, 2}, {1 - off, 2}}}, {2, 2}, ""},
                   {"nw", {{{0, 1 + 2 * off}, {1 + 2 * off, 2}}}, {2, 2}, ""}};
-  for (const char* body : {"sw", "se", "ne", "nw"}) scene.bodies[body] = isotropic<2>(1, 0, false);
+  for (const char* body : {"sw", "se", "ne", "nw"}) scene.bodies.emplace(body, isotropic<2>(1, 0, Plane::strain));
   scene.contact = {{"sw.right", "se.left", constant(0), ""},
                    {"ne.bottom", "se.top", constant(0), ""},
                    {"nw.right", "ne.left", constant(0), ""},
@@ -175,7 +175,7 @@ TEST(Matching, NoFacetIsMatchedTwice) {
   content.lines.push_back({6, {10, 11}});
   Scene<2> scene;
   scene.mesh_file = folder.write("a.msh", gmsh_2(content));
-  for (const char* body : {"lower", "upper", "3"}) scene.bodies[body] = isotropic<2>(1, 0, false);
+  for (const char* body : {"lower", "upper", "3"}) scene.bodies.emplace(body, isotropic<2>(1, 0, Plane::strain));
   scene.contact = {{"joint below", "joint above", constant(0), "here"}};
   expect_unmatched(scene, {"1 of 2", "1 of 1", "'joint below'"});
 }

@@ -23,9 +23,10 @@ Scene<2> three_blocks_scene() {
   scene.blocks = {{"a", {{{0, 2}, {0, 1}}}, {4, 3}, ""},
                   {"b", {{{0, 2}, {1, 2}}}, {4, 2}, ""},
                   {"c", {{{2, 3}, {0, 1}}}, {2, 3}, ""}};
-  scene.bodies = {
-      {"a", isotropic<2>(1, 0, false)}, {"b", isotropic<2>(2, 0.3, false)}, {"c", isotropic<2>(3, 0.2, true)}};
-  scene.bodies["b"].force = {0.5, -1};
+  scene.bodies = {{"a", isotropic<2>(1, 0, Plane::strain)},
+                  {"b", isotropic<2>(2, 0.3, Plane::strain)},
+                  {"c", isotropic<2>(3, 0.2, Plane::strain)}};
+  scene.bodies.at("b").force = {0.5, -1};
   scene.boundary = {{"a.bottom", {ConditionKind::fixed, {linear, other_linear}, ""}},
                     {"b.left", {ConditionKind::sliding, {linear}, ""}},
                     {"b.top", {ConditionKind::traction, {other_linear, linear}, ""}},
@@ -71,7 +72,7 @@ std::vector<RefineCase> refine_cases() {
   const Folder folder;
   Scene<2> scene;
   scene.mesh_file = folder.write("a.msh", gmsh_4(two_squares()));
-  scene.bodies = {{"lower", isotropic<2>(1, 0, false)}, {"upper", isotropic<2>(1, 0, false)}};
+  scene.bodies = {{"lower", isotropic<2>(1, 0, Plane::strain)}, {"upper", isotropic<2>(1, 0, Plane::strain)}};
   scene.boundary = {{"base", {ConditionKind::fixed, {linear, other_linear}, ""}}};
   scene.contact = {{"joint above", "joint below", quadratic, ""}};
   all.push_back({"gmsh", fix_data(scene, build_mesh(scene))});

@@ -191,8 +191,8 @@ TEST(Refine, KeepsNamesBodiesAndNotes) {
     EXPECT_EQ(fine.oscillation.gap, 0.3);
     ASSERT_EQ(fine.bodies.size(), problem.bodies.size());
     for (std::size_t body = 0; body < problem.bodies.size(); ++body) {
-      EXPECT_EQ(fine.bodies[body].stiffness, problem.bodies[body].stiffness);
-      EXPECT_EQ(fine.bodies[body].compliance, problem.bodies[body].compliance);
+      EXPECT_EQ(fine.bodies[body].material.stiffness(), problem.bodies[body].material.stiffness());
+      EXPECT_EQ(fine.bodies[body].material.compliance(), problem.bodies[body].material.compliance());
       EXPECT_EQ(fine.bodies[body].force, problem.bodies[body].force);
     }
   }

@@ -21,15 +21,15 @@ TEST(Scene, EveryKeyIsRead) {
   EXPECT_EQ(scene.file, file.string());
   EXPECT_EQ(scene.title, "Two blocks");
   EXPECT_EQ(scene.units, "N, mm, MPa");
-  EXPECT_EQ(scene.plane, "strain");
+  EXPECT_EQ(scene.plane, Plane::strain);
   ASSERT_EQ(scene.blocks.size(), 2u);
   EXPECT_EQ(scene.blocks[1].body, "upper");
   EXPECT_EQ(scene.blocks[1].range[1], (std::array<double, 2>{1, 2}));
   EXPECT_EQ(scene.blocks[1].cells, (std::array<int, 2>{4, 4}));
   EXPECT_EQ(scene.blocks[1].where, file.string() + ":10:1");
-  EXPECT_EQ(scene.bodies.at("lower").stiffness, isotropic<2>(1, 0.3, false).stiffness);
-  EXPECT_EQ(scene.bodies.at("upper").stiffness(0, 1), 1);
-  EXPECT_EQ(scene.bodies.at("upper").stiffness(1, 1), 2);
+  EXPECT_EQ(scene.bodies.at("lower").material.stiffness(), isotropic<2>(1, 0.3, Plane::strain).stiffness());
+  EXPECT_EQ(scene.bodies.at("upper").material.stiffness()(0, 1), 1);
+  EXPECT_EQ(scene.bodies.at("upper").material.stiffness()(1, 1), 2);
   EXPECT_EQ(scene.bodies.at("upper").force, Vector<2>(0.5, -1));
   const Condition<2>& load = scene.boundary.at("upper.top");
   EXPECT_EQ(load.kind, ConditionKind::traction);
@@ -41,7 +41,7 @@ TEST(Scene, EveryKeyIsRead) {
   EXPECT_EQ(scene.contact[0].first, "upper.bottom");
   EXPECT_EQ(scene.contact[0].second, "lower.top");
   EXPECT_DOUBLE_EQ(scene.contact[0].gap({2, 0}), 0.04);
-  EXPECT_EQ(scene.refine.strategy, "none");
+  EXPECT_EQ(scene.refine.strategy, Strategy::none);
   EXPECT_EQ(scene.refine.target, 1e-3);
   EXPECT_EQ(scene.refine.bulk, 0.7);
   EXPECT_EQ(scene.refine.max_levels, 3);
@@ -56,9 +56,9 @@ mesh.block = [{ body = "a", x = [0, 1], y = [0, 1], cells = [1, 1] }]
 bodies.a = { E = 1, nu = 0 }
 contact = [{ first = "a.top", second = "rigid" }]
 )");
-  EXPECT_EQ(scene.refine.strategy, "none");
+  EXPECT_EQ(scene.refine.strategy, Strategy::none);
   EXPECT_EQ(scene.solve.degree, 2);
-  EXPECT_EQ(scene.solve.dual, "hybrid");
+  EXPECT_EQ(scene.solve.dual, Dual::hybrid);
   EXPECT_EQ(scene.contact[0].gap({3, 4}), 0);
   EXPECT_TRUE(scene.boundary.empty());
   EXPECT_EQ(scene.bodies.at("a").force, Vector<2>(0, 0));
@@ -108,7 +108,7 @@ TEST(Override, ReplacesAndAdds) {
                           "boundary.\"upper.left\".sliding=0.25", "boundary.lower.right.pressure=3",
                           "boundary.'lower.left'.pressure='y'", "mesh.block.0.x.1=5", "bodies.lower.body_force=[0, 9]",
                           "boundary.joint above . pressure = 4"});
-  EXPECT_EQ(scene.bodies.at("lower").stiffness, isotropic<2>(1e6, 0.3, false).stiffness);
+  EXPECT_EQ(scene.bodies.at("lower").material.stiffness(), isotropic<2>(1e6, 0.3, Plane::strain).stiffness());
   EXPECT_EQ(scene.bodies.at("lower").force, Vector<2>(0, 9));
   EXPECT_EQ(scene.refine.max_cells, 5000);
   EXPECT_EQ(scene.title, "Three: 1 and 2");

@@ -74,7 +74,7 @@ std::vector<std::string> faults_between(const Found& one, const Found& other) {
 }  // namespace
 
 Verdict judge(scene::Scene<2> scene, const scene::Mesh<2>& mesh) {
-  scene.refine = {.strategy = "uniform", .max_levels = 3};
+  scene.refine = {.strategy = scene::Strategy::uniform, .max_levels = 3};
   Verdict verdict;
   std::vector<Found> found;
   for (const int degree : {1, 2}) {

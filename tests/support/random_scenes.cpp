@@ -41,7 +41,7 @@ struct Made {
   std::string text;
 };
 
-Made random_material(Random& random, double young, bool plane_stress) {
+Made random_body(Random& random, double young, scene::Plane plane) {
   if (random.chance(0.15)) {
     Eigen::Matrix3d root = Eigen::Matrix3d::Zero();
     for (int i = 0; i < 3; ++i)
@@ -55,7 +55,7 @@ Made random_material(Random& random, double young, bool plane_stress) {
   }
   if (random.chance(0.5)) young *= random.pick<double>({1, 1, 1e-3, 1e3, 1e-8, 1e8});
   const double poisson = random.pick<double>({0, 0, 0.3, 0.3, 0.49, 0.4999, -0.5, 0.2});
-  return {scene::isotropic<2>(young, poisson, plane_stress), fmt::format("E = {}, nu = {}", young, poisson)};
+  return {scene::isotropic<2>(young, poisson, plane), fmt::format("E = {}, nu = {}", young, poisson)};
 }
 
 /// The scene while it is being made.
@@ -78,13 +78,13 @@ void add_bodies(Making& making, double young) {
       const auto& [x, y] = making.grid.lines;
       scene.blocks.push_back(
           {name, {{{x[i], x[i + 1]}, {y[j], y[j + 1]}}}, {making.grid.cells[0][i], making.grid.cells[1][j]}, ""});
-      Made material = random_material(making.random, young, scene.plane == "stress");
+      Made made = random_body(making.random, young, scene.plane);
       if (making.random.chance(0.2))
-        material.body.force = Vector<2>(making.random.pick<double>({0, 0.1, -0.1}), -1) * (making.load / making.size);
+        made.body.force = Vector<2>(making.random.pick<double>({0, 0.1, -0.1}), -1) * (making.load / making.size);
       making.say(fmt::format("{}: [{}, {}] x [{}, {}], cells {} {}; {}, force {} {}", name, x[i], x[i + 1], y[j],
-                             y[j + 1], making.grid.cells[0][i], making.grid.cells[1][j], material.text,
-                             material.body.force[0], material.body.force[1]));
-      scene.bodies.emplace(name, std::move(material.body));
+                             y[j + 1], making.grid.cells[0][i], making.grid.cells[1][j], made.text, made.body.force[0],
+                             made.body.force[1]));
+      scene.bodies.emplace(name, std::move(made.body));
     }
 }
 
@@ -250,7 +250,7 @@ RandomScene random_scene(std::uint64_t seed) {
   const double size = random.pick<double>({1, 1, 1, 1e-6, 1e3, 1e6});
   const double young = random.pick<double>({1, 1, 1e5, 1e11, 1e-3});
   const double load = young * random.pick<double>({1e-3, 1e-3, 1e-6, 1e-1});
-  const std::string plane = random.chance(0.5) ? "strain" : "stress";
+  const scene::Plane plane = random.chance(0.5) ? scene::Plane::strain : scene::Plane::stress;
   Grid grid = random_grid(random, size);
   Making making{random, std::move(grid), size, load, {}};
   if (seed % 2 == 0) {  // farther from the origin, or carried away by far more than the strains
@@ -264,8 +264,8 @@ RandomScene random_scene(std::uint64_t seed) {
   scene::Scene<2>& scene = making.made.scene;
   scene.plane = plane;
   const Map& map = making.grid.map;
-  making.say(fmt::format("seed {}, plane {}, map: shear {}, bend {} {}, turn {} {}, shift {}", seed, plane, map.shear,
-                         map.bend_x, map.bend_y, map.cosine, map.sine, map.shift[0]));
+  making.say(fmt::format("seed {}, plane {}, map: shear {}, bend {} {}, turn {} {}, shift {}", seed, name(plane),
+                         map.shear, map.bend_x, map.bend_y, map.cosine, map.sine, map.shift[0]));
   making.say(fmt::format("carried by ({}, {})", making.carried[0], making.carried[1]));
   add_bodies(making, young);
   add_boundary(making);

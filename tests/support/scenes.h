@@ -37,8 +37,8 @@ inline scene::Scene<2> two_bodies(double x0, double x1, double t_lower, double t
 /// docs/theory.md §9.1: any ν with free sides and sliding base and top, the top lowered by `lowering`.
 inline scene::Scene<2> patch(double young, double poisson, double lowering, int n) {
   scene::Scene<2> s = two_bodies(0, 1, 0.5, 0.5, n, n);
-  s.bodies = {{"lower", scene::isotropic<2>(young, poisson, false)},
-              {"upper", scene::isotropic<2>(young, poisson, false)}};
+  s.bodies = {{"lower", scene::isotropic<2>(young, poisson, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(young, poisson, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", sliding(0)}, {"upper.top", sliding(-lowering)}};
   return s;
 }
@@ -52,8 +52,8 @@ struct LinearPressure {
 };
 inline scene::Scene<2> linear_pressure(const LinearPressure& p, int nx, int ny) {
   scene::Scene<2> s = two_bodies(-1, 1, p.t_lower, p.t_upper, nx, ny);
-  s.bodies = {{"lower", scene::isotropic<2>(p.young_lower, p.poisson, false)},
-              {"upper", scene::isotropic<2>(p.young_upper, p.poisson, false)}};
+  s.bodies = {{"lower", scene::isotropic<2>(p.young_lower, p.poisson, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(p.young_upper, p.poisson, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", sliding(0)},
                 {"upper.top", pressure([p](const Vector<2>& x) { return p.p0 * (1 - p.c * x[0]); })}};
   return s;
@@ -63,7 +63,8 @@ inline scene::Scene<2> linear_pressure(const LinearPressure& p, int nx, int ny) 
 inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
   scene::Scene<2> s;
   s.blocks = {block("lower", 0, 1, 0, 1, n, n), block("upper", 0, 1, 1, 2, n, n)};
-  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(2, 0.3, false)}};
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", fixed(0, 0)},
                 {"upper.left", sliding(0)},
                 {"upper.top", traction(constant(0), [pull](const Vector<2>& x) { return x[0] < 0.5 ? -0.1 : pull; })}};
@@ -76,8 +77,9 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
 inline scene::Scene<2> everything(int nx, int ny_lower, int ny_upper) {
   scene::Scene<2> s;
   s.blocks = {block("lower", 0, 1, 0, 1, nx, ny_lower), block("upper", 0, 1, 1, 2, nx, ny_upper)};
-  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, false)}, {"upper", scene::isotropic<2>(5, 0.4, true)}};
-  s.bodies["lower"].force = {0.01, -0.05};
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(5, 0.4, scene::Plane::strain)}};
+  s.bodies.at("lower").force = {0.01, -0.05};
   s.boundary = {{"lower.left", sliding(-0.02)},
                 {"upper.right", fixed(0.01, -0.03)},
                 {"upper.top", traction([](const auto& x) { return 0.01 * x[0]; }, constant(-0.05))}};

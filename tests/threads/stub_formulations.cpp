@@ -24,7 +24,7 @@ double strain(const scene::Problem<2>& problem) {
 }
 
 scene::Vector<2> displacement(const scene::Problem<2>& problem, const scene::Vector<2>& x) {
-  const auto& compliance = problem.bodies[0].compliance;  // of both
+  const auto& compliance = problem.bodies[0].material.compliance();  // of both
   const double e = strain(problem);
   return {compliance(0, 1) / compliance(1, 1) * e * x[0], e * (x[1] + 0.5)};
 }
@@ -57,7 +57,7 @@ namespace dual {
 template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>&) {
   Result<dim> result;
   std::array<scene::Voigt<dim>, 9> cell;
-  cell.fill({0, strain(problem) / problem.bodies[0].compliance(1, 1), 0});
+  cell.fill({0, strain(problem) / problem.bodies[0].material.compliance()(1, 1), 0});
   result.stress.cell.assign(problem.mesh.cells.size(), cell);
   result.closed.assign(problem.contact.size(), 1);
   return result;

@@ -15,7 +15,7 @@ namespace {
 scene::Scene<2> refined_patch(int degree) {
   auto scene = tests::patch(3, 0.3, 0.01, 6);
   scene.solve.degree = degree;
-  scene.refine = {.strategy = "uniform", .max_levels = 3};
+  scene.refine = {.strategy = scene::Strategy::uniform, .max_levels = 3};
   return scene;
 }
 

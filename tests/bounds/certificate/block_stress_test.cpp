@@ -161,7 +161,7 @@ TEST(BlockStress, in_floating_point_is_the_exact_one_to_rounding) {
 
 TEST(BlockStress, is_that_of_the_block_elements_of_the_solver) {
   Random random(5);
-  const auto compliance = scene::isotropic<2>(2, 0.3, false).compliance;
+  const auto compliance = scene::isotropic<2>(2, 0.3, scene::Plane::strain).compliance();
   for (const auto& t : triangles()) {
     const auto element = dual::block_element(t, compliance);
     const dual::ModeVector amplitudes = dual::ModeVector::NullaryExpr([&] { return random(); });

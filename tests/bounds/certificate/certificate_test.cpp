@@ -28,8 +28,8 @@ struct Case {
 scene::Scene<2> on_a_wall() {
   scene::Scene<2> s;
   s.blocks = {tests::block("block", -1, 1, 0, 1, 3, 2)};
-  s.bodies = {{"block", scene::isotropic<2>(3, 0.45, false)}};
-  s.bodies["block"].force = {0, -0.3};
+  s.bodies = {{"block", scene::isotropic<2>(3, 0.45, scene::Plane::strain)}};
+  s.bodies.at("block").force = {0, -0.3};
   s.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
   s.boundary = {{"block.top", tests::pressure([](const auto& x) { return 1 - 0.7 * x[0]; })}};
   return s;
@@ -40,7 +40,8 @@ scene::Scene<2> interference() {
   scene::Scene<2> s = tests::two_bodies(0, 2, 1, 0.5, 3, 1);
   scene::Elasticity<2> stiffness;
   stiffness << 4, 1.3, 0.7, 1.3, 2, -0.4, 0.7, -0.4, 1.1;
-  s.bodies = {{"lower", scene::anisotropic<2>(stiffness)}, {"upper", scene::isotropic<2>(1e3, 0.4999, false)}};
+  s.bodies = {{"lower", scene::anisotropic<2>(stiffness)},
+              {"upper", scene::isotropic<2>(1e3, 0.4999, scene::Plane::strain)}};
   s.boundary = {
       {"lower.bottom", tests::sliding(0.01)}, {"lower.left", tests::sliding(-0.02)}, {"upper.top", tests::fixed(0, 0)}};
   s.contact[0].gap = [](const auto& x) { return -0.07 + 0.03 * x[0]; };
@@ -49,8 +50,8 @@ scene::Scene<2> interference() {
 
 scene::Scene<2> negative_poisson() {
   scene::Scene<2> s = tests::two_blocks(2);
-  s.bodies["lower"] = scene::isotropic<2>(1, -0.9, false);
-  s.bodies["upper"] = scene::isotropic<2>(1e-6, 0.5, true);
+  s.plane = scene::Plane::stress;
+  s.bodies = {{"lower", scene::isotropic<2>(1, -0.9, s.plane)}, {"upper", scene::isotropic<2>(1e-6, 0.5, s.plane)}};
   return s;
 }
 
@@ -69,7 +70,7 @@ scene::Scene<2> turned_end() {
 scene::Scene<2> touching_end(double down) {
   scene::Scene<2> s;
   s.blocks = {tests::block("block", 0, 1, 0, 1, 2, 2)};
-  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, false)}};
+  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
   s.boundary = {{"block.left", tests::fixed(0.5 * down, -down)}, {"block.top", tests::pressure(tests::constant(0.1))}};
   s.contact = {{"block.bottom", "rigid", tests::constant(down), ""}};
   return s;
@@ -213,14 +214,17 @@ scene::Problem<2> random_problem(std::mt19937& generator) {
   };
   const auto one_of = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(generator); };
   scene::Scene<2> s = tests::two_bodies(0, 1, uniform(0.1, 1), uniform(0.1, 1), 1 + one_of(3), 1 + one_of(2));
+  if (one_of(2) == 0) s.plane = scene::Plane::stress;
   for (const std::string name : {"lower", "upper"}) {
-    s.bodies[name] = scene::isotropic<2>(std::pow(10, uniform(-3, 3)), uniform(-0.5, 0.49999), one_of(2) == 0);
+    const double young = std::pow(10, uniform(-3, 3));
+    scene::Body<2> body = scene::isotropic<2>(young, uniform(-0.5, 0.49999), s.plane);
     if (one_of(3) == 0) {
       const scene::Elasticity<2> root = scene::Elasticity<2>::NullaryExpr([&] { return uniform(-1, 1); });
       const scene::Elasticity<2> definite = root * root.transpose() + scene::Elasticity<2>::Identity();
-      s.bodies[name] = scene::anisotropic<2>(definite.selfadjointView<Eigen::Upper>());
+      body.material = scene::anisotropic<2>(definite.selfadjointView<Eigen::Upper>());
     }
-    s.bodies[name].force = {uniform(-1, 1), name == "upper" ? uniform(-2, 0) : uniform(-1, 1)};
+    body.force = {uniform(-1, 1), name == "upper" ? uniform(-2, 0) : uniform(-1, 1)};
+    s.bodies.emplace(name, body);
     for (const std::string side : {"left", "right"}) switch (one_of(4)) {
         case 0: s.boundary[name + "." + side] = tests::fixed(0.1, 0.1); break;
         case 1: s.boundary[name + "." + side] = tests::sliding(side == "left" ? -0.1 : 0.1 * one_of(2)); break;

@@ -23,15 +23,17 @@ ExactVoigt mean(const ExactVoigt& a, const ExactVoigt& b) {
 Exact dot(const ExactVoigt& a, const ExactVoigt& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Hooke's law by Lamé's constants, or the given matrix.
-Matrix stiffness(const scene::Body<2>& body) {
+Matrix stiffness(const scene::Material<2>& material) {
   Matrix c;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) c[i][j] = Exact(body.stiffness(i, j));
-  if (!body.isotropic) return c;
-  const Exact young(body.isotropic->young), poisson(body.isotropic->poisson), one(1), two(2);
+    for (int j = 0; j < 3; ++j) c[i][j] = Exact(material.stiffness()(i, j));
+  const auto& constants = material.constants();
+  if (!constants) return c;
+  const Exact young(constants->young), poisson(constants->poisson), one(1), two(2);
   const Exact mu = young / (two * (one + poisson));
-  const Exact lambda = body.isotropic->plane_stress ? young * poisson / (one - poisson * poisson)
-                                                    : young * poisson / ((one + poisson) * (one - two * poisson));
+  const Exact lambda = constants->plane == scene::Plane::stress
+                           ? young * poisson / (one - poisson * poisson)
+                           : young * poisson / ((one + poisson) * (one - two * poisson));
   return {{{lambda + two * mu, lambda, Exact(0)}, {lambda, lambda + two * mu, Exact(0)}, {Exact(0), Exact(0), mu}}};
 }
 
@@ -77,7 +79,7 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
   Exact result;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const scene::Body<2>& body = problem.bodies[mesh.cell_body[c]];
-    const Matrix hooke = stiffness(body);
+    const Matrix hooke = stiffness(body.material);
     Exact density;  // three times its mean: by the middles of the sides
     for (int k = 0; k < 3; ++k) {
       ExactVoigt middle = {half, half, half};
@@ -104,7 +106,7 @@ Exact stress_norm(const scene::Problem<2>& problem, const ExactStress& stress, c
   Exact result;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
-    const Matrix hooke = stiffness(problem.bodies[mesh.cell_body[c]]), compliance = inverse(hooke);
+    const Matrix hooke = stiffness(problem.bodies[mesh.cell_body[c]].material), compliance = inverse(hooke);
     Exact density;
     for (int i = 0; i < 3; ++i) {
       const auto corners = part_corners(i);

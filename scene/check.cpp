@@ -1,0 +1,209 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "scene/fault.h"
+#include "scene/range.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+using Key = std::vector<std::string>;
+using Found = std::optional<Fault>;
+
+Key with(Key key, const std::string& last) {
+  key.push_back(last);
+  return key;
+}
+
+Found size_fault(Key key, const std::string& name, double value, const std::string& where) {
+  std::string message = size_message(value, name);
+  if (message.empty()) return {};
+  return Fault{std::move(key), std::move(message), where};
+}
+
+// ---- mesh -----------------------------------------------------------------------------------------------------------
+
+Found block_fault(const Block<2>& block, const Key& key) {
+  const std::string where = block.where.empty() ? fmt::format("the block of '{}'", block.body) : block.where;
+  if (block.body.empty()) return Fault{with(key, "body"), "mesh.block.body must not be empty", block.where};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::string name = axis == 0 ? "x" : "y";
+    const auto& [from, to] = block.range[axis];
+    for (const double end : {from, to})
+      if (Found fault = size_fault(with(key, name), "mesh.block." + name, end, where)) return fault;
+    if (from >= to) {
+      return Fault{with(key, name),
+                   fmt::format("mesh.block.{} = [{}, {}] is empty; write [from, to] with from < to", name, from, to),
+                   where};
+    }
+    if (block.cells[axis] < 1) {
+      return Fault{with(key, "cells"), fmt::format("mesh.block.cells must be at least 1, is {}", block.cells[axis]),
+                   where};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Fault> mesh_fault(const Scene<2>& scene) {
+  constexpr double most_cells = 2e7;  // so that all indices, three and four to a cell, are far from the end of int
+  if (scene.blocks.empty() == scene.mesh_file.empty()) {
+    return Fault{{"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]])", scene.mesh_where};
+  }
+  std::set<std::string> made;
+  double cells = 0;
+  for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
+    const Block<2>& block = scene.blocks[i];
+    const Key key = {"mesh", "block", std::to_string(i)};
+    if (Found fault = block_fault(block, key)) return fault;
+    cells += 2.0 * block.cells[0] * block.cells[1];
+    if (cells > most_cells)
+      return Fault{key, fmt::format("the blocks have more than {:.0f} cells together", most_cells), block.where};
+    if (!made.insert(block.body).second) {
+      return Fault{key, fmt::format("there is another block of the body '{}'; a body is one block", block.body),
+                   block.where};
+    }
+  }
+  for (const auto& [name, body] : scene.bodies) {
+    Found fault = unmade_body(scene.blocks, name);
+    if (!fault) continue;
+    fault->where = body.where;
+    return fault;
+  }
+  return {};
+}
+
+std::optional<Fault> unmade_body(const std::vector<Block<2>>& blocks, const std::string& body) {
+  std::vector<std::string> made;
+  for (const Block<2>& block : blocks) made.push_back(block.body);
+  if (made.empty() || std::find(made.begin(), made.end(), body) != made.end()) return {};
+  return Fault{{"bodies", body}, fmt::format("no block makes the body '{}': {}", body, suggestion(body, made))};
+}
+
+namespace {
+
+// ---- bodies, boundary, contact --------------------------------------------------------------------------------------
+
+Found body_fault(const Scene<2>& scene) {
+  for (const auto& [body_name, body] : scene.bodies) {
+    const Key key = {"bodies", body_name};
+    const std::string called = "bodies." + body_name;
+    const auto& constants = body.material.constants();
+    if (constants && constants->plane != scene.plane) {
+      return Fault{key,
+                   fmt::format("the material of '{}' is one of plane {}, the scene of plane {}", body_name,
+                               name(constants->plane), name(scene.plane)),
+                   body.where};
+    }
+    if (constants) {
+      if (Found fault = size_fault(with(key, "E"), called + ".E", constants->young, body.where)) return fault;
+    } else {
+      for (const double entry : body.material.stiffness().reshaped())
+        if (Found fault = size_fault(with(key, "stiffness"), called + ".stiffness", entry, body.where)) return fault;
+    }
+    for (const double component : body.force)
+      if (Found fault = size_fault(with(key, "body_force"), called + ".body_force", component, body.where))
+        return fault;
+  }
+  return {};
+}
+
+Found condition_fault(const Scene<2>& scene) {
+  for (const auto& [part, condition] : scene.boundary) {
+    const std::string kind = name(condition.kind);
+    const Key key = {"boundary", part, kind};
+    const bool vector = condition.kind == ConditionKind::fixed || condition.kind == ConditionKind::traction;
+    const std::size_t needed = vector ? 2 : 1, given = condition.value.size();
+    if (given != needed) {
+      return Fault{key,
+                   fmt::format("boundary.\"{}\".{} must have {} function{}, has {}", part, kind, needed,
+                               needed == 1 ? "" : "s", given),
+                   condition.where};
+    }
+    for (const Function<2>& function : condition.value)
+      if (!function)
+        return Fault{key, fmt::format("boundary.\"{}\".{} has an empty function", part, kind), condition.where};
+  }
+  return {};
+}
+
+Found contact_fault(const Scene<2>& scene) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < scene.contact.size(); ++i) {
+    const ContactPair<2>& pair = scene.contact[i];
+    const Key key = {"contact", std::to_string(i)};
+    const auto fault = [&](const char* of, const std::string& message) {
+      return Fault{of[0] == '\0' ? key : with(key, of), message, pair.where};
+    };
+    if (pair.first == "rigid")
+      return fault("first", "contact.first must be a boundary part; a rigid wall is the second side");
+    if (pair.first == pair.second) return fault("", fmt::format("first and second are the same part '{}'", pair.first));
+    if (!pair.gap) return fault("gap", fmt::format("the gap of '{}' is an empty function", pair.first));
+    for (const auto& [side, part] : {std::pair("first", pair.first), std::pair("second", pair.second)}) {
+      if (part.empty()) return fault(side, fmt::format("contact.{} must not be empty", side));
+      if (part == "rigid") continue;
+      if (const auto own = scene.boundary.find(part); own != scene.boundary.end()) {
+        return fault("", fmt::format("the part '{}' is in contact and has a condition of its own ({})", part,
+                                     own->second.where.empty() ? name(own->second.kind) : own->second.where));
+      }
+      if (!taken.insert(part).second)
+        return fault("", fmt::format("the part '{}' is in another contact pair already", part));
+    }
+  }
+  return {};
+}
+
+// ---- settings -------------------------------------------------------------------------------------------------------
+
+Found degree_fault(int degree) {
+  if (degree == 1 || degree == 2) return {};
+  return Fault{{"solve", "degree"}, fmt::format("solve.degree must be 1 or 2, is {}", degree)};
+}
+
+Found settings_fault(const Refine& refine, const Solve& solve) {
+  const auto fault = [](const char* key, const char* limits, auto value) {
+    return Fault{{"refine", key}, fmt::format("refine.{} must {}, is {}", key, limits, value)};
+  };
+  for (const auto& [key, value] : {std::pair("target", refine.target), std::pair("bulk", refine.bulk),
+                                   std::pair("max_seconds", refine.max_seconds)})
+    if (Found out = size_fault({"refine", key}, fmt::format("refine.{}", key), value, "")) return out;
+  if (refine.target < 0) return fault("target", "not be negative", refine.target);
+  if (refine.bulk <= 0 || refine.bulk > 1) return fault("bulk", "lie in (0, 1]", refine.bulk);
+  if (refine.max_levels < 1) return fault("max_levels", "be at least 1", refine.max_levels);
+  if (refine.max_cells < 1) return fault("max_cells", "be at least 1", refine.max_cells);
+  if (refine.max_seconds < 1) return fault("max_seconds", "be at least 1", refine.max_seconds);
+  return degree_fault(solve.degree);
+}
+
+}  // namespace
+
+std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
+  for (const auto& find : {body_fault, condition_fault, contact_fault})
+    if (Found fault = find(scene)) return fault;
+  Found fault = settings_fault(scene.refine, scene.solve);
+  if (fault) fault->where = scene.file;
+  return fault;
+}
+
+std::optional<Fault> fault_of(const Scene<2>& scene) {
+  if (Found fault = mesh_fault(scene)) return fault;
+  return fault_beside_mesh(scene);
+}
+
+void throw_if(const std::optional<Fault>& fault) {
+  if (fault) fail(Status::input, fault->where, fault->message);
+}
+
+template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
+void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }
+void check_degree(int degree) { throw_if(degree_fault(degree)); }
+
+template void check(const Scene<2>&);
+
+}  // namespace bracket::scene
