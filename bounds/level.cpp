@@ -88,11 +88,11 @@ double rounding_of_solution(const scene::Problem<dim>& problem, const scene::Dis
 
 std::string uncertified(const Level& level) {
   if (level.certificate.valid) return "";
-  const auto [name, value] = level.checks.worst();
+  const Check worst = level.checks.worst();
   return fmt::format(
       "no certificate on {} cells: {} (worst check: {}, {:.1e} by the scene's scale); try cells of "
       "better shape, or moduli and sizes that differ less",
-      level.cells, level.certificate.reason, name, value);
+      level.cells, level.certificate.reason, worst.name, worst.value);
 }
 
 /// All levels are of one problem, to the last bit: a contradiction proves that some bound is wrong.

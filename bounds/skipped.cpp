@@ -19,7 +19,7 @@ bool is_prescribed(const scene::FacetData<2>& data) {
 template <int dim>
 std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem) {
   bool floating = false;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+  for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
     floating = floating || !scene::free_motions(problem, static_cast<int>(b)).empty();
   const auto heavy = [](const scene::Body<dim>& body) { return !body.force.isZero(0); };
 

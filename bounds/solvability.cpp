@@ -24,7 +24,7 @@ template <int dim> struct FreeMotions {
 
 template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& problem) {
   FreeMotions<dim> all;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+  for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
     for (const auto& motion : scene::free_motions(problem, static_cast<int>(b))) {
       all.motion.push_back(motion);
       all.body.push_back(static_cast<int>(b));
@@ -43,8 +43,8 @@ template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem
     const Vector<dim> d = problem.facets[pair.first].normal;
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
       double sign = 0;
-      if (all.body[m] == mesh.cell_body[first.cell]) sign += 1;
-      if (pair.second >= 0 && all.body[m] == mesh.cell_body[mesh.boundary[pair.second].cell]) sign -= 1;
+      if (all.body[m] == mesh.cell_component[first.cell]) sign += 1;
+      if (pair.second >= 0 && all.body[m] == mesh.cell_component[mesh.boundary[pair.second].cell]) sign -= 1;
       for (int i = 0; i < dim; ++i)
         rows(dim * j + i, m) = sign * d.dot(displacement(all.motion[m], mesh.vertices[first.vertices[i]]));
     }
@@ -70,10 +70,11 @@ template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const 
     }
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
-    if (problem.bodies[body].force.isZero(0)) continue;
+    const int body = mesh.cell_component[c];
+    const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
+    if (force.isZero(0)) continue;
     const auto& v = mesh.cells[c];
-    add(body, scene::volume(mesh, static_cast<int>(c)) * problem.bodies[body].force,
+    add(body, scene::volume(mesh, static_cast<int>(c)) * force,
         (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -81,7 +82,7 @@ template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const 
     const auto& facet = mesh.boundary[f];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i)  // a linear load on a linear motion
-      add(mesh.cell_body[facet.cell], scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
+      add(mesh.cell_component[facet.cell], scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
   }
   return result;
 }
@@ -103,7 +104,7 @@ std::string explain(const scene::Problem<dim>& problem, const FreeMotions<dim>& 
     for (std::size_t r = 0; r < motion.rotation.size(); ++r)
       motion.rotation[r] += y[m] / unit * all.motion[m].rotation[r];
   }
-  return fmt::format("body '{}' is pushed off: {} gains energy without end", problem.mesh.bodies[body],
+  return fmt::format("body '{}' is pushed off: {} gains energy without end", problem.mesh.components[body],
                      scene::describe(motion));
 }
 
@@ -130,7 +131,7 @@ Imbalance possible_imbalance(const scene::Problem<2>& problem) {
   for (const auto& [a, b] : mesh.edges) shortest = std::min(shortest, (mesh.vertices[b] - mesh.vertices[a]).norm());
   for (const Vector<2>& x : mesh.vertices) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const double force = problem.bodies[mesh.cell_body[c]].force.norm() * scene::volume(mesh, static_cast<int>(c));
+    const double force = body_of(problem, static_cast<int>(c)).force.norm() * scene::volume(mesh, static_cast<int>(c));
     size += force;
     per_length += force / problem.length_scale;
   }
@@ -173,7 +174,7 @@ scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all
   for (std::size_t j = 0; j < facets.size(); ++j)
     for (int which = 0; which < 3; ++which)
       for (std::size_t m = 0; m < all.motion.size(); ++m) {
-        if (all.body[m] != mesh.cell_body[mesh.boundary[facets[j]].cell]) continue;
+        if (all.body[m] != mesh.cell_component[mesh.boundary[facets[j]].cell]) continue;
         const auto load = unit_loads(mesh, facets[j])[which];
         for (int i = 0; i < 2; ++i)
           work(m, 3 * j + which) += scene::hat_moment(load, i).dot(
@@ -204,12 +205,12 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
     return problem;
   }
   const auto& mesh = problem.mesh;
-  std::vector<char> can_be_loaded(mesh.bodies.size(), 0);
+  std::vector<char> can_be_loaded(mesh.components.size(), 0);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    can_be_loaded[mesh.cell_body[mesh.boundary[f].cell]] |= problem.facets[f].support == Support::traction;
+    can_be_loaded[mesh.cell_component[mesh.boundary[f].cell]] |= problem.facets[f].support == Support::traction;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     // A body with no facet on Γ_τ has no load but its weight: what is to be taken off must be zero to the last bit.
-    const bool loadable = can_be_loaded[mesh.cell_body[mesh.boundary[f].cell]];
+    const bool loadable = can_be_loaded[mesh.cell_component[mesh.boundary[f].cell]];
     if (problem.facets[f].support != (loadable ? Support::traction : Support::contact)) continue;
     for (const auto& unit : unit_loads(mesh, static_cast<int>(f)))
       problem.corrections.push_back({static_cast<int>(f), unit});
@@ -235,7 +236,8 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
     if (problem.facets[f].support == Support::traction)
       for (const auto& end : scene::load(problem, static_cast<int>(f))) size = std::max(size, end.norm());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    size = std::max(size, problem.bodies[mesh.cell_body[c]].force.norm() * scene::volume(mesh, static_cast<int>(c)));
+    size =
+        std::max(size, body_of(problem, static_cast<int>(c)).force.norm() * scene::volume(mesh, static_cast<int>(c)));
   problem.imbalance = largest > 0 ? largest / size : 0;
   return problem;
 }

@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 
 install(FILES ${PROJECT_BINARY_DIR}/include/bracket/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/bracket)
 
-# find_package(bracket) gives bracket::bounds and its parts; deal.II and CHOLMOD stay behind the shared libraries.
+# find_package(bracket) gives bracket::bounds, its parts and bracket::report; deal.II, CHOLMOD and nlohmann-json stay
+# behind the shared libraries.
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bracket)
 install(EXPORT bracket NAMESPACE bracket:: FILE bracketTargets.cmake DESTINATION ${package})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/bracketConfig.cmake.in

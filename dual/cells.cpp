@@ -30,7 +30,7 @@ template <int dim> void set_supports(const Problem<dim>& problem, std::vector<Ed
 
 template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
   const auto& mesh = problem.mesh;
-  const BlockElement block = block_element(corners(mesh, c), problem.bodies[mesh.cell_body[c]].compliance);
+  const BlockElement block = block_element(corners(mesh, c), body_of(problem, c).compliance);
   Cell cell{block.piola, block.compliance.llt(), block.loads, {}};
   for (int e = 0; e < 3; ++e) {
     const int mesh_edge = mesh.cell_edges[c][e];
@@ -57,7 +57,7 @@ template <int dim> void add_prescribed(const scene::FacetData<dim>& data, int ed
 
 template <int dim> Particular weight(const Problem<dim>& problem, const Layout& layout, const Cell& cell, int c) {
   const auto& mesh = problem.mesh;
-  const auto& body = problem.bodies[mesh.cell_body[c]];
+  const auto& body = body_of(problem, c);
   Particular result = particular(corners(mesh, c), cell.piola, body.compliance, body.force);
   for (int e = 0; e < 3; ++e)
     for (int i = 0; i < 2; ++i) {
@@ -73,11 +73,11 @@ template <int dim> Layout lay_out(const Problem<dim>& problem) {
   const auto& mesh = problem.mesh;
   Layout layout;
   layout.edges.resize(mesh.edges.size());
-  layout.body_cells.resize(mesh.bodies.size());
-  layout.body_nodes.assign(mesh.bodies.size(), {0});
+  layout.body_cells.resize(mesh.components.size());
+  layout.body_nodes.assign(mesh.components.size(), {0});
   set_supports(problem, layout.edges);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
+    const int body = mesh.cell_component[c];
     layout.body_cells[body].push_back(static_cast<int>(c));
     auto& nodes = layout.body_nodes[body];
     for (const int e : mesh.cell_edges[c]) {

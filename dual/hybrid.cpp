@@ -26,7 +26,7 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
     for (int i = 0; i < 2; ++i) {
       const Vector<dim> moment = scene::hat_moment(ends, i);
       const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
-      for (int k = 0; k < 2; ++k) loads[mesh.cell_body[facet.cell]][edge.unknown[place + k]] += moment[k];
+      for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
     }
   }
   return loads;
@@ -50,7 +50,7 @@ void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::ve
         for (int i = 0; i < 2; ++i) {
           const int vertex = facet.vertices[side == pair.first ? i : 1 - i];
           const int unknown = edge.unknown[2 * end_of(mesh, facet.edge, vertex)];
-          entries[mesh.cell_body[facet.cell]].emplace_back(2 * j + row, unknown, unit * Table::hat_mass(row, i));
+          entries[mesh.cell_component[facet.cell]].emplace_back(2 * j + row, unknown, unit * Table::hat_mass(row, i));
         }
     }
   }
@@ -124,7 +124,7 @@ template <int dim>
 void subtract_tractions(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
                         const Amplitudes& amplitude, std::vector<Eigen::VectorXd>& loads) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    Eigen::VectorXd& load = loads[problem.mesh.cell_body[c]];
+    Eigen::VectorXd& load = loads[problem.mesh.cell_component[c]];
     LoadVector tractions = cells[c].loads * amplitude[c];
     if (const Particular* weight = weight_of(data, c)) tractions += weight->loads;
     for (int i = 0; i < n_loads; ++i)
@@ -153,7 +153,7 @@ Amplitudes balanced(const Problem<dim>& problem, const std::vector<Cell>& cells,
   subtract_tractions(problem, cells, data, amplitude, loads);
   for (std::size_t b = 0; b < loads.size(); ++b) loads[b] = bodies.respond(static_cast<int>(b), loads[b]);
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const LoadVector edges = edge_displacements(cells[c], loads[problem.mesh.cell_body[c]], LoadVector::Zero());
+    const LoadVector edges = edge_displacements(cells[c], loads[problem.mesh.cell_component[c]], LoadVector::Zero());
     amplitude[c] += amplitudes(cells[c], edges, nullptr);
   }
   return amplitude;
@@ -166,7 +166,8 @@ scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell>&
                            const std::vector<Eigen::VectorXd>& elastic) {
   Amplitudes amplitude;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const LoadVector edges = edge_displacements(cells[c], elastic[problem.mesh.cell_body[c]], prescribed_on(data, c));
+    const LoadVector edges =
+        edge_displacements(cells[c], elastic[problem.mesh.cell_component[c]], prescribed_on(data, c));
     amplitude.push_back(amplitudes(cells[c], edges, weight_of(data, c)));
   }
   for (int step = 0; step < 2; ++step) amplitude = balanced(problem, cells, data, bodies, loads, std::move(amplitude));
@@ -194,7 +195,7 @@ template <int dim> Solver<dim>::Solver(const Problem<dim>& problem) {
   Layout layout = lay_out(problem);
   std::vector<Cell> cells = make_cells(problem, layout);
   std::vector<contact::System> systems;
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b)
+  for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
     systems.push_back(assemble(problem, layout, cells, static_cast<int>(b)));
   set_contact_rows(problem, layout, systems);
   const double assembled = clock.seconds();
@@ -220,12 +221,12 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   contact::Solution solution = bodies.solve(all, gap_moments(problem), guess);
   if (const int cell = first_not_definite(cells); cell >= 0) {
     solution.termination = contact::Termination::not_definite;
-    solution.body = problem.mesh.cell_body[cell];
+    solution.body = problem.mesh.cell_component[cell];
   }
   Result<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(
-      solution, "stresses", problem.mesh.bodies,
+      solution, "stresses", problem.mesh.components,
       "on this mesh no admissible pressure balances the loads (their resultant passes too close to the end of a "
       "contact line for its edges); refine the mesh there, unless the resultant passes through the end itself: then no "
       "mesh has such a pressure",

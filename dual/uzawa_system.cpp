@@ -31,10 +31,9 @@ Eigen::Matrix2d ends_from_moments(double length) {
 template <int dim>
 UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell& cell, int c, const LoadVector& prescribed,
                      int first_multiplier, const scene::Stress<dim>& particular) {
-  const int body = problem.mesh.cell_body[c];
   UzawaCell result{half_stiffness(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
   result.linear = cell.compliance.matrixL().solve(
-      coupling(corners(problem.mesh, c), cell.piola, problem.bodies[body].compliance, particular.cell[c]));
+      coupling(corners(problem.mesh, c), cell.piola, body_of(problem, c).compliance, particular.cell[c]));
   for (int& multiplier : result.multipliers)
     if (multiplier >= 0) multiplier += first_multiplier;
   return result;
@@ -121,7 +120,7 @@ UzawaSystem uzawa_system(const Problem<dim>& problem, const Layout& layout, cons
   for (std::size_t c = 0; c < cells.size(); ++c)
     system.cells.push_back(uzawa_cell(problem, cells[c], static_cast<int>(c),
                                       prescribed.empty() ? LoadVector::Zero() : prescribed[c],
-                                      first[problem.mesh.cell_body[c]], particular));
+                                      first[problem.mesh.cell_component[c]], particular));
   take_ends_on_contact(problem, system.cells);
   system.openings = openings(problem, system.cells, particular);
   system.scale = Eigen::VectorXd::Ones(first.back());

@@ -13,7 +13,7 @@ namespace bracket::primal {
 
 namespace {
 
-/// One body as a deal.II triangulation; cell i of it is cells[i] of the mesh.
+/// Some cells as a deal.II triangulation; cell i of it is cells[i] of the mesh.
 template <int dim>
 void triangulate(const scene::Mesh<dim>& mesh, const std::vector<int>& cells,
                  dealii::Triangulation<dim>& triangulation) {
@@ -39,12 +39,13 @@ int place(int i) { return i < 3 ? i : 3 + scene::Simplex<2>::edge_between(i - 3,
 
 }  // namespace
 
-template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use) {
+template <int dim>
+void for_each_cell(const scene::Problem<dim>& problem, int component, int degree, const UseCell& use) {
   static_assert(dim == 2, "the places of the nodes are those of a triangle");
   const auto& mesh = problem.mesh;
   std::vector<int> cells;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if (mesh.cell_body[c] == body) cells.push_back(static_cast<int>(c));
+    if (mesh.cell_component[c] == component) cells.push_back(static_cast<int>(c));
 
   dealii::Triangulation<dim> triangulation;
   triangulate(mesh, cells, triangulation);
@@ -53,13 +54,13 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
   const dealii::QGaussSimplex<dim> quadrature(2);  // exact for quadratics: gradients of degree 1, squared
   dealii::FEValues<dim> values(mapping, element, quadrature, dealii::update_gradients | dealii::update_JxW_values);
 
-  const auto& material = problem.bodies[body];
   const int n = static_cast<int>(element.n_dofs_per_cell());
   Eigen::MatrixXd stiffness(dim * n, dim * n);
   Eigen::MatrixXd strain(scene::n_voigt<dim>, dim * n);
   for (const auto& cell : triangulation.active_cell_iterators()) {
     values.reinit(cell);
     stiffness.setZero();
+    const auto& elasticity = body_of(problem, cells[cell->active_cell_index()]).stiffness;
     for (const unsigned int q : values.quadrature_point_indices()) {
       for (int i = 0; i < n; ++i) {
         const auto gradient = values.shape_grad(i, q);
@@ -70,7 +71,7 @@ template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int bo
           strain.col(column + c) = scene::strain<dim>(of_displacement);
         }
       }
-      stiffness.noalias() += strain.transpose() * (values.JxW(q) * material.stiffness * strain).eval();
+      stiffness.noalias() += strain.transpose() * (values.JxW(q) * elasticity * strain).eval();
     }
     use(cells[cell->active_cell_index()], stiffness);
   }

@@ -16,7 +16,8 @@ template <int dim> int nodes_per_cell(int degree) {
 /// What one cell adds: its stiffness ∫ ε(φ_i) : C ε(φ_j).
 using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness)>;
 
-/// Calls `use` for each cell of a body, in the order of the mesh.
-template <int dim> void for_each_cell(const scene::Problem<dim>& problem, int body, int degree, const UseCell& use);
+/// Calls `use` for each cell of a component of the mesh, in its order.
+template <int dim>
+void for_each_cell(const scene::Problem<dim>& problem, int component, int degree, const UseCell& use);
 
 }  // namespace bracket::primal

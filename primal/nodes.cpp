@@ -124,7 +124,7 @@ template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree
   set_supports(problem, nodes, Support::sliding);
   set_supports(problem, nodes, Support::contact);
 
-  nodes.body_nodes.assign(mesh.bodies.size(), {0});
+  nodes.body_nodes.assign(mesh.components.size(), {0});
   const auto number = [&](int index, std::vector<int>& offsets) {
     Node<dim>& node = nodes.node[index];
     if (node.number >= 0) return;
@@ -133,7 +133,7 @@ template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree
     offsets.push_back(offsets.back() + node.free);
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    auto& offsets = nodes.body_nodes[mesh.cell_body[c]];
+    auto& offsets = nodes.body_nodes[mesh.cell_component[c]];
     for (const int v : mesh.cells[c]) number(nodes.at_vertex(v), offsets);
     if (degree == 2)
       for (const int e : mesh.cell_edges[c]) number(nodes.at_edge(mesh, e), offsets);
@@ -159,7 +159,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
                       mesh.parts[part], -row.bound, x[0], x[1], nodes.degree));
     }
   };
-  const auto body_of = [&](int facet) { return mesh.cell_body[mesh.boundary[facet].cell]; };
+  const auto body_of = [&](int facet) { return mesh.cell_component[mesh.boundary[facet].cell]; };
 
   // The middle rows come first: where rows depend on each other, the earlier ones are kept active.
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {

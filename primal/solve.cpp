@@ -27,7 +27,7 @@ scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>&
     return u;
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
+    const int body = mesh.cell_component[c];
     for (const int v : mesh.cells[c]) field.vertex[v] = value(nodes.node[nodes.at_vertex(v)], body);
     if (nodes.degree == 2)
       for (const int e : mesh.cell_edges[c]) field.edge[e] = value(nodes.node[nodes.at_edge(mesh, e)], body);
@@ -86,7 +86,7 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   Result<dim> result;
   result.termination = solution.termination;
   result.reason =
-      contact::reason(solution, "displacements", problem.mesh.bodies, "no admissible pressure balances the loads",
+      contact::reason(solution, "displacements", problem.mesh.components, "no admissible pressure balances the loads",
                       "the gaps and the prescribed displacements contradict each other, none is admissible");
   if (solution.termination == contact::Termination::solved)
     result.displacement = recover(problem.mesh, nodes, solution.displacement);

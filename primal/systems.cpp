@@ -56,7 +56,7 @@ template <int dim> void set_rigid_motions(const Problem<dim>& problem, const Nod
         systems.body[body].rigid(node.unknown + k, m) = node.directions.col(k).dot(displacement(motions[body][m], x));
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
+    const int body = mesh.cell_component[c];
     if (motions[body].empty()) continue;
     for (const int v : mesh.cells[c]) set(body, nodes.node[nodes.at_vertex(v)], mesh.vertices[v]);
     if (nodes.degree == 1) continue;
@@ -85,8 +85,8 @@ template <int dim>
 void add_weights(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<Eigen::VectorXd>& loads) {
   const auto& mesh = problem.mesh;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
-    const Vector<dim>& force = problem.bodies[body].force;
+    const int body = mesh.cell_component[c];
+    const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
     if (force.isZero(0)) continue;
     using Table = scene::Simplex<dim>;
     const double volume = scene::volume(mesh, static_cast<int>(c));
@@ -107,7 +107,7 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (problem.facets[f].support != Support::traction) continue;
     const auto& facet = mesh.boundary[f];
-    Eigen::VectorXd& load = loads[mesh.cell_body[facet.cell]];
+    Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i) {
       const Vector<dim> force = nodes.degree == 1 ? scene::hat_moment(ends, i) : scene::quadratic_moment(ends, i);
@@ -124,11 +124,11 @@ template <int dim>
 Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows) {
   const auto& mesh = problem.mesh;
   Systems<dim> systems;
-  systems.body.resize(problem.bodies.size());
-  std::vector<std::vector<int>> numbers(problem.bodies.size());
+  systems.body.resize(mesh.components.size());
+  std::vector<std::vector<int>> numbers(mesh.components.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c)))
-      numbers[mesh.cell_body[c]].push_back(nodes.node[i].number);
+      numbers[mesh.cell_component[c]].push_back(nodes.node[i].number);
   for (std::size_t b = 0; b < systems.body.size(); ++b) {
     contact::System& body = systems.body[b];
     body.nodes = nodes.body_nodes[b];

@@ -2,7 +2,6 @@
 #include "apps/studies/extremes.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +9,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/commands/interrupt.h"
-#include "apps/commands/progress.h"
+#include "apps/commands/watch.h"
 #include "contact/clock.h"
 
 namespace bracket::apps {
@@ -73,17 +71,6 @@ Ending ending(const Extremes& extremes, bool interrupted) {
 
 }  // namespace
 
-double Interval::relative_width() const {
-  const double size = std::max(std::abs(lower), std::abs(upper));
-  return size > 0 ? (upper - lower) / size : 0;
-}
-
-std::optional<bool> contains_reference(const Extreme& extreme) {
-  if (!extreme.interval || !extreme.reference) return std::nullopt;
-  return extreme.interval->lower <= extreme.reference->upper + extreme.slack &&
-         extreme.reference->lower <= extreme.interval->upper + extreme.slack;
-}
-
 Ending extremes(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                 const std::filesystem::path& given_folder) {
   const scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
@@ -95,9 +82,8 @@ Ending extremes(const std::filesystem::path& file, const std::vector<std::string
   Extremes extremes;
   bool interrupted = false;
   {
-    const Interrupt interrupt;
-    const Progress progress(isatty(STDERR_FILENO));
-    progress.show("the scene as it is");
+    const Watch watch;
+    watch.show("the scene as it is");
     const scene::Problem<2> benign = scene::fix_data(scene, scene::build_mesh(scene));
     extremes.benign = interval(bounds::run(settings, benign));
     for (const Sweep& sweep : extreme_sweeps(scene, benign)) {
@@ -106,9 +92,9 @@ Ending extremes(const std::filesystem::path& file, const std::vector<std::string
         continue;
       }
       for (const double parameter : sweep.parameters) {
-        interrupted = interrupted || interrupt.requested();
+        interrupted = interrupted || watch.interrupted();
         if (interrupted) break;
-        progress.show(fmt::format("{} = {:g}", sweep.name, parameter));
+        watch.show(fmt::format("{} = {:g}", sweep.name, parameter));
         extremes.rows.push_back(solved(settings, sweep, parameter, extremes.benign));
         write_tables(folder, scene, extremes);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -9,10 +10,10 @@
 
 namespace bracket::apps {
 
-/// A line on standard error that tells what is being done; it is gone when the work ends.
+/// A line on standard error, where that is a terminal, that tells what is being done; it is gone when the work ends.
 class Progress {
  public:
-  explicit Progress(bool wanted) : wanted_(wanted) {}
+  explicit Progress(bool wanted = true) : wanted_(wanted && isatty(STDERR_FILENO)) {}
   ~Progress() {
     if (wanted_) say(clear_line);
   }

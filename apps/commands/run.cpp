@@ -9,9 +9,8 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/commands/interrupt.h"
-#include "apps/commands/progress.h"
 #include "apps/commands/say.h"
+#include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
@@ -29,13 +28,12 @@ struct Results {
   std::vector<std::string> missing = {};  ///< what could not be written of levels after the first, and why
 };
 
-Report report(const Results& results, const bounds::Outcome<2>& outcome) {
-  return {.scene = results.scene,
-          .outcome = outcome,
-          .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
-          .read = results.read,
-          .around = results.around,
-          .missing = results.missing};
+Report report_of(const Results& results, const bounds::Outcome<2>& outcome) {
+  Report report = apps::report(results.scene, outcome);
+  report.read = results.read;
+  report.around = results.around;
+  report.missing = results.missing;
+  return report;
 }
 
 // The fields of the last level, and the collection of all.
@@ -54,7 +52,7 @@ void write_fields(const std::filesystem::path& folder, const Report& report) {
 void write_level(Results& results, const bounds::Outcome<2>& outcome) {
   results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
   const Clock clock;
-  Report so_far = report(results, outcome);
+  Report so_far = report_of(results, outcome);
   so_far.running = true;
   write_fields(results.folder, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
@@ -73,21 +71,11 @@ void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome)
 }
 
 bounds::Outcome<2> solve(Results& results, bool show_progress) {
-  const Interrupt interrupt;
-  const Progress progress(show_progress);
-  std::stop_source stop;
-  bounds::Observer<2> observer;
-  observer.stop = stop.get_token();
-  observer.stage = [&](const std::string& stage) {
-    progress.show(stage);
-    if (interrupt.requested()) stop.request_stop();
-  };
-  observer.level = [&](const bounds::Outcome<2>& so_far) {
-    progress.show("writing");
+  Watch watch(show_progress);
+  return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& so_far) {
+    watch.show("writing");
     write_level_if_it_fits(results, so_far);
-    if (interrupt.requested()) stop.request_stop();
-  };
-  return bounds::run(results.scene, observer);
+  }));
 }
 
 /// Draws the pictures and writes them and report.html; tells the report what is missing.
@@ -167,11 +155,11 @@ Ending run(const RunOptions& options) {
   // Before the work, so that a folder that cannot be used is known at once.
   const Descriptor in_use = prepare_folder(results.folder);
 
-  const bounds::Outcome<2> outcome = solve(results, isatty(STDERR_FILENO) && !options.quiet);
+  const bounds::Outcome<2> outcome = solve(results, !options.quiet);
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
     write_level_if_it_fits(results, outcome);  // of a level that failed its checks
-  Report report = apps::report(results, outcome);
+  Report report = report_of(results, outcome);
   write_first_end(results, report);  // before the pictures, which may fill the disk
   if (options.pictures) try_pictures(results, report, options.png);
   const std::vector<std::string> unwritten = write_end(results, report);

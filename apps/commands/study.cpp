@@ -2,14 +2,12 @@
 #include "apps/studies/study.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
-#include "apps/commands/interrupt.h"
-#include "apps/commands/progress.h"
+#include "apps/commands/watch.h"
 #include "contact/clock.h"
 
 namespace bracket::apps {
@@ -30,38 +28,30 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   const Descriptor in_use = prepare_folder(folder);
 
   std::vector<Series> all;
-  const auto solve = [&](const Interrupt& interrupt, const Progress& progress) {
+  const auto solve = [&](Watch& watch) {
     Series& series = all.emplace_back(scene.refine.strategy, scene.solve.degree);
     const Clock clock;
-    std::stop_source stop;
-    bounds::Observer<2> observer;
-    observer.stop = stop.get_token();
-    observer.stage = [&](const std::string& stage) {
-      progress.show(fmt::format("{}, degree {}: {}", series.strategy, series.degree, stage));
-      if (interrupt.requested()) stop.request_stop();
-    };
-    observer.level = [&](const bounds::Outcome<2>& so_far) {
+    const std::string label = fmt::format("{}, degree {}: ", series.strategy, series.degree);
+    const auto level = [&](const bounds::Outcome<2>& so_far) {
       series.levels.push_back(so_far.levels.back());
-      series.elapsed.push_back(clock.seconds());
+      series.around.push_back({.elapsed = clock.seconds()});
       write_tables(folder, scene, all);
-      if (interrupt.requested()) stop.request_stop();
     };
-    const bounds::Outcome<2> outcome = bounds::run(scene, observer);
+    const bounds::Outcome<2> outcome = bounds::run(scene, watch.observer(label, level));
     series.end = outcome.reason;
     if (series.end.empty()) series.end = outcome.relative_error_bound == 0 ? "exact" : "budget spent";
-    return Ending{outcome.status, fmt::format("{}, degree {}: {}", series.strategy, series.degree, series.end)};
+    return Ending{outcome.status, label + series.end};
   };
 
   Ending ending;
   {
-    const Interrupt interrupt;
-    const Progress progress(isatty(STDERR_FILENO));
+    Watch watch;
     for (const char* strategy : {"uniform", "adaptive"})
       for (const int degree : {1, 2}) {
-        if (interrupt.requested()) continue;
+        if (watch.interrupted()) continue;
         scene.refine.strategy = strategy;
         scene.solve.degree = degree;
-        const Ending ended = solve(interrupt, progress);
+        const Ending ended = solve(watch);
         if (ending.status != scene::Status::not_guaranteed && ended.status != scene::Status::done) ending = ended;
       }
   }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/report/drawing.h"
+
 namespace bracket::apps {
 
 /// What gnuplot shall draw.
@@ -14,15 +16,6 @@ struct Picture {
   int width, height;    ///< pixels
   std::string script;   ///< commands for gnuplot, without a terminal
   bool wide = false;    ///< best over the whole width of a page
-};
-
-/// A picture that has been drawn.
-struct Drawing {
-  std::string name;
-  std::string caption;
-  std::string svg;
-  std::string png;  ///< empty unless asked for
-  bool wide;        ///< as Picture::wide
 };
 
 struct Drawings {

@@ -14,10 +14,6 @@ double up(double bound) {
   return std::ceil(bound / unit) * unit;
 }
 
-Phases phases(const contact::Phases& seconds) {
-  return {seconds.assemble, seconds.order, seconds.factorise, seconds.contact, seconds.recover};
-}
-
 }  // namespace
 
 std::string rounded_up(double bound) { return fmt::format("{:.2g}", up(bound)); }
@@ -27,27 +23,6 @@ std::string rounded_up_exponent(double bound) { return bound == 0 ? "0" : fmt::f
 std::string percent(double ratio) {
   if (!std::isfinite(ratio)) return "unknown";  // u_h does not deform: nothing to compare with
   return rounded_up(100 * ratio) + " %";
-}
-
-Phases primal_phases(const bounds::Level& level) { return phases(level.primal.seconds); }
-
-Phases dual_phases(const bounds::Level& level) { return phases(level.dual.seconds); }
-
-Spent spent(const std::vector<bounds::Level>& levels) {
-  Spent sum;
-  for (const bounds::Level& level : levels) {
-    sum.mesh += level.seconds.mesh;
-    sum.primal += level.seconds.primal;
-    sum.dual += level.seconds.dual;
-    sum.estimate += level.seconds.estimate;
-    sum.certify += level.seconds.certify;
-    const Phases primal = primal_phases(level), dual = dual_phases(level);
-    for (std::size_t i = 0; i < phase_names.size(); ++i) {
-      sum.primal_phases[i] += primal[i];
-      sum.dual_phases[i] += dual[i];
-    }
-  }
-  return sum;
 }
 
 }  // namespace bracket::apps

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/plots/picture.h"
+#include "apps/report/drawing.h"
 #include "bounds/bounds.h"
 
 namespace bracket::apps {
@@ -26,6 +26,11 @@ struct Report {
   double pictures = 0;                        ///< seconds to draw them
   std::vector<std::string> missing;           ///< what could not be drawn, and why, one line each
 };
+
+/// The report of a run that has ended, told by a program of one's own. What has elapsed is the sum of its levels, and
+/// nothing was written.
+/// \pre at least one level, with fields; scene and outcome outlive the report, which refers to them
+Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome);
 
 /// The width of the run's bracket by the larger of its bounds' sizes.
 double relative_width(const bounds::Outcome<2>& outcome);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/report/columns.h"
 #include "apps/report/html.h"
 #include "apps/report/numbers.h"
 #include "apps/report/report.h"
@@ -100,59 +101,49 @@ std::string pictures(const Report& report, const std::vector<Drawing>& drawings)
 }
 
 std::string levels(const Report& report) {
-  Rows rows;
-  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
-    const bounds::Level& level = report.outcome.levels[i];
-    rows.push_back({fmt::to_string(i), fmt::to_string(level.cells), fmt::to_string(level.primal.unknowns),
-                    fmt::to_string(level.dual.unknowns), fmt::to_string(level.bracket.lower),
-                    fmt::to_string(level.bracket.upper), percent(level.bracket.relative_error_bound),
-                    fmt::format("{} / {}", level.primal.active_rows, level.primal.rows),
-                    fmt::format("{} / {}", level.dual.active_rows, level.dual.rows),
-                    fmt::format("{:.2f}", report.around[i].elapsed)});
-  }
-  return "<h2>Levels</h2>\n" +
-         html_table({"level", "cells", "displacement unknowns", "stress unknowns", "lower bound", "upper bound",
-                     "relative error", "closed rows, displacements", "closed rows, stresses", "seconds since start"},
-                    rows, 0);
+  auto rows = level_rows(report, {{"cells", {"cells"}},
+                                  {"displacement unknowns", {"primal_dofs"}},
+                                  {"stress unknowns", {"dual_dofs"}},
+                                  {"lower bound", {"lower"}},
+                                  {"upper bound", {"upper"}},
+                                  {"relative error", {"relative_error_bound"}},
+                                  {"closed rows, displacements", {"contact_active", "contact_rows"}},
+                                  {"closed rows, stresses", {"contact_dual_active", "contact_dual_rows"}},
+                                  {"seconds since start", {"seconds_elapsed"}}});
+  const std::vector<std::string> head = rows[0];
+  rows.erase(rows.begin());
+  return "<h2>Levels</h2>\n" + html_table(head, rows, 0);
 }
 
 std::string seconds(const Report& report) {
-  const Spent sum = spent(report.outcome.levels);
-  double write = 0;
-  for (const LevelSeconds& level : report.around) write += level.write;
+  const auto in_all = [&](const std::string& column) { return fmt::format("{:.2f}", sum(column, report)); };
   std::vector<std::string> head = {"seconds, all levels"};
   head.insert(head.end(), phase_names.begin(), phase_names.end());
   head.push_back("all");
-  const auto row = [](const char* name, const Phases& phases, double all) {
+  const auto row = [&](const char* name, const std::string& formulation) {
     std::vector<std::string> cells = {name};
-    for (const double value : phases) cells.push_back(fmt::format("{:.2f}", value));
-    cells.push_back(fmt::format("{:.2f}", all));
+    for (const std::string phase : phase_names) cells.push_back(in_all(formulation + "_" + phase));
+    cells.push_back(in_all("seconds_" + formulation));
     return cells;
   };
   return "<h2>Where the time went</h2>\n" +
-         html_table(head,
-                    {row("displacements", sum.primal_phases, sum.primal), row("stresses", sum.dual_phases, sum.dual)},
-                    1) +
+         html_table(head, {row("displacements", "primal"), row("stresses", "dual")}, 1) +
          fmt::format(
-             "<p>The two run side by side. Besides: read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, "
-             "write {:.2f}, pictures {:.2f} seconds.</p>\n",
-             report.read, sum.mesh, sum.estimate, sum.certify, write, report.pictures);
+             "<p>The two run side by side. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, write {}, pictures "
+             "{:.2f} seconds.</p>\n",
+             report.read, in_all("seconds_mesh"), in_all("seconds_estimate"), in_all("seconds_certify"),
+             in_all("seconds_write"), report.pictures);
 }
 
 std::string checks(const bounds::Checks& checks) {
-  const auto row = [](const char* name, double value, const char* meaning) -> std::vector<std::string> {
-    const bool passed = value <= bounds::Checks::tolerance;
-    return {name, meaning, fmt::format("{:.1e}", value), passed ? "ok" : "<span class=\"failed\">large</span>"};
-  };
+  Rows rows;
+  for (const bounds::Check& check : checks.all()) {
+    const bool passed = check.value <= bounds::Checks::tolerance;
+    rows.push_back({check.name, check.meaning, fmt::format("{:.1e}", check.value),
+                    passed ? "ok" : "<span class=\"failed\">large</span>"});
+  }
   return "<h2>Checks of the fields as computed, before the certificate</h2>\n" +
-         html_table({"check", "meaning", "worst value", ""},
-                    {row("penetration", checks.penetration, "displacements keep supports and contact"),
-                     row("equilibrium", checks.equilibrium, "stresses balance the body force in every cell"),
-                     row("interface jump", checks.interface_jump, "tractions are equal on both sides of every edge"),
-                     row("boundary traction", checks.boundary_traction, "tractions are the given ones"),
-                     row("tension", checks.tension, "the contact does not pull"),
-                     row("gap identity", checks.gap_identity, "the cells' errors add up to the width")},
-                    2) +
+         html_table({"check", "meaning", "worst value", ""}, rows, 2) +
          fmt::format("<p>By the size of the scene's stresses, displacements or energy; limit {:g}.</p>\n",
                      bounds::Checks::tolerance);
 }

@@ -1,14 +1,13 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <bracket/version.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apps/report/columns.h"
 #include "apps/report/json.h"
-#include "apps/report/numbers.h"
 
 namespace bracket::apps {
 namespace {
@@ -28,26 +27,16 @@ std::string name(scene::Status status) {
   return {};
 }
 
-Json phases(const Phases& seconds) {
-  Json json;
-  for (std::size_t i = 0; i < seconds.size(); ++i) json[phase_names[i]] = seconds[i];
-  return json;
-}
-
-Json interface_problem(int rows, int active, int iterations) {
-  return {{"rows", rows}, {"active", active}, {"iterations", iterations}};
-}
-
 Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscillation) {
-  return {{"tolerance", bounds::Checks::tolerance},
-          {"penetration", checks.penetration},
-          {"equilibrium", checks.equilibrium},
-          {"interface_jump", checks.interface_jump},
-          {"boundary_traction", checks.boundary_traction},
-          {"tension", checks.tension},
-          {"gap_identity", checks.gap_identity},
-          {"data_oscillation",
-           {{"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}}}};
+  Json json = {{"tolerance", bounds::Checks::tolerance}};
+  for (const bounds::Check& check : checks.all()) {
+    std::string key = check.name;
+    std::ranges::replace(key, ' ', '_');
+    json[key] = check.value;
+  }
+  json["data_oscillation"] = {
+      {"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}};
+  return json;
 }
 
 Json quality_json(const scene::Mesh<2>& mesh) {
@@ -73,33 +62,22 @@ Json heading(const scene::Scene<2>& scene) {
 }
 
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
-  const bounds::Seconds& seconds = level.seconds;
-  Json contact = interface_problem(level.primal.rows, level.primal.active_rows, level.primal.iterations);
-  contact["dual"] = interface_problem(level.dual.rows, level.dual.active_rows, level.dual.iterations);
-  return {{"cells", level.cells},
-          {"primal_dofs", level.primal.unknowns},
-          {"dual_dofs", level.dual.unknowns},
-          {"lower", level.bracket.lower},
-          {"upper", level.bracket.upper},
-          {"relative_width", level.bracket.relative_width},
-          {"error_bound", level.bracket.error_bound},
-          {"mean_stress_error_bound", level.bracket.mean_stress_error_bound},
-          {"relative_error_bound", level.bracket.relative_error_bound},
-          {"plain", plain_json(level)},
-          {"oscillation_energy", level.oscillation_energy},
-          {"imbalance", {{"primal", level.primal.imbalance}, {"dual", level.dual.imbalance}}},
-          {"seconds",
-           {{"mesh", seconds.mesh},
-            {"primal", seconds.primal},
-            {"dual", seconds.dual},
-            {"estimate", seconds.estimate},
-            {"certify", seconds.certify},
-            {"total", seconds.total},
-            {"write", around.write},
-            {"elapsed", around.elapsed},
-            {"primal_phases", phases(primal_phases(level))},
-            {"dual_phases", phases(dual_phases(level))}}},
-          {"contact", std::move(contact)}};
+  Json json;
+  for (const Column& column : columns())
+    std::visit([&](auto number) { json[Json::json_pointer(column.path)] = number; }, column.value(level, around));
+  return json;
+}
+
+Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome) {
+  Report report{.scene = scene,
+                .outcome = outcome,
+                .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+                .around = {},
+                .missing = {}};
+  double elapsed = 0;
+  for (const bounds::Level& level : outcome.levels)
+    report.around.push_back({.elapsed = elapsed += level.seconds.total});
+  return report;
 }
 
 double relative_width(const bounds::Outcome<2>& outcome) {
@@ -142,24 +120,9 @@ std::string report_json(const Report& report) {
 }
 
 std::string history_csv(const Report& report) {
-  std::string text =
-      "level,cells,primal_dofs,dual_dofs,lower,upper,relative_width,relative_error_bound,contact_rows,contact_active,"
-      "contact_iterations,seconds_mesh,seconds_primal,seconds_dual,seconds_estimate,seconds_certify,seconds_total,"
-      "seconds_write,"
-      "seconds_elapsed";
-  for (const char* formulation : {"primal", "dual"})
-    for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
-  text += "\n";
-  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
-    const bounds::Level& level = report.outcome.levels[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", i, level.cells,
-                        level.primal.unknowns, level.dual.unknowns, level.bracket.lower, level.bracket.upper,
-                        level.bracket.relative_width, level.bracket.relative_error_bound, level.primal.rows,
-                        level.primal.active_rows, level.primal.iterations, level.seconds.mesh, level.seconds.primal,
-                        level.seconds.dual, level.seconds.estimate, level.seconds.certify, level.seconds.total,
-                        report.around[i].write, report.around[i].elapsed, fmt::join(primal_phases(level), ","),
-                        fmt::join(dual_phases(level), ","));
-  }
+  std::string text = "level," + csv_names() + "\n";
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i)
+    text += fmt::format("{},{}\n", i, csv_values(report.outcome.levels[i], report.around[i]));
   return text;
 }
 

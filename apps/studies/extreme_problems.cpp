@@ -77,6 +77,7 @@ Problem<2> with_cells_cut(Problem<2> problem, const std::array<double, 3>& point
   mesh.cells.clear();
   mesh.cell_edges.clear();
   mesh.cell_body.clear();
+  mesh.cell_component.clear();
   mesh.refinement_edge.clear();
   for (std::size_t c = 0; c < old.cells.size(); ++c) {
     const auto& cell = old.cells[c];
@@ -98,6 +99,7 @@ Problem<2> with_cells_cut(Problem<2> problem, const std::array<double, 3>& point
       mesh.cells.push_back(corners);
       mesh.cell_edges.push_back(edges);
       mesh.cell_body.push_back(old.cell_body[c]);
+      mesh.cell_component.push_back(old.cell_component[c]);
       mesh.refinement_edge.push_back(static_cast<char>(k));
     }
   }
@@ -173,6 +175,7 @@ Problem<2> with_piece_freed(Problem<2> problem, int facet, int end, const Vector
   mesh.cells.push_back(corners);
   mesh.cell_edges.push_back(edges);
   mesh.cell_body.push_back(mesh.cell_body[cell]);
+  mesh.cell_component.push_back(mesh.cell_component[cell]);
   mesh.refinement_edge.push_back(mesh.refinement_edge[cell]);
   mesh.cells[cell][at_end] = middle;
   mesh.cell_edges[cell][at_other] = inner_edge;

@@ -10,6 +10,18 @@
 #include "apps/studies/extremes.h"
 
 namespace bracket::apps {
+
+double Interval::relative_width() const {
+  const double size = std::max(std::abs(lower), std::abs(upper));
+  return size > 0 ? (upper - lower) / size : 0;
+}
+
+std::optional<bool> contains_reference(const Extreme& extreme) {
+  if (!extreme.interval || !extreme.reference) return std::nullopt;
+  return extreme.interval->lower <= extreme.reference->upper + extreme.slack &&
+         extreme.reference->lower <= extreme.interval->upper + extreme.slack;
+}
+
 namespace {
 
 std::string verdict(const Extreme& row) {

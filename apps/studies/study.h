@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/plots/picture.h"
-#include "bounds/bounds.h"
+#include "apps/report/report.h"
 
 namespace bracket::apps {
 
@@ -14,8 +14,8 @@ struct Series {
   std::string strategy;
   int degree;
   std::vector<bounds::Level> levels = {};
-  std::vector<double> elapsed = {};  ///< seconds since the start of the series, as `levels`
-  std::string end = "running";       ///< why it ended
+  std::vector<LevelSeconds> around = {};  ///< as `levels`; elapsed since the start of the series
+  std::string end = "running";            ///< why it ended
 };
 
 /// A line per level, and the observed orders.

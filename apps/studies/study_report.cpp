@@ -1,11 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "apps/plots/pictures.h"
+#include "apps/report/columns.h"
 #include "apps/report/json.h"
 #include "apps/report/numbers.h"
 #include "apps/studies/study.h"
@@ -31,15 +31,6 @@ std::string power(const Series& series) {
   return std::isfinite(slope) ? fmt::format("like cells to the power {:.2f}", slope) : "on too few levels to say";
 }
 
-// The seconds of a level in both formulations together, as columns: mesh, the phases, estimate.
-std::vector<double> seconds(const bounds::Level& level) {
-  const Phases primal = primal_phases(level), dual = dual_phases(level);
-  std::vector<double> result = {level.seconds.mesh};
-  for (std::size_t i = 0; i < primal.size(); ++i) result.push_back(primal[i] + dual[i]);
-  result.push_back(level.seconds.estimate);
-  return result;
-}
-
 }  // namespace
 
 std::string study_text(const std::vector<Series>& all) {
@@ -50,12 +41,13 @@ std::string study_text(const std::vector<Series>& all) {
   for (const Series& series : all)
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       const bounds::Level& level = series.levels[i];
-      text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}", series.strategy, series.degree,
-                          level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
-                          level.bracket.upper, percent(level.bracket.relative_error_bound));
-      const std::vector<double> columns = seconds(level);
-      text += fmt::format("{:>7.2f}{:>10.2f}{:>9.2f}\n", columns[0], fmt::join(columns.begin() + 1, columns.end(), ""),
-                          series.elapsed[i]);
+      const auto number = [&](const std::string& column) { return value(column, level, series.around[i]); };
+      text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}{:>7.2f}", series.strategy,
+                          series.degree, level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
+                          level.bracket.upper, percent(level.bracket.relative_error_bound), level.seconds.mesh);
+      for (const std::string phase : phase_names)
+        text += fmt::format("{:>10.2f}", number("primal_" + phase) + number("dual_" + phase));
+      text += fmt::format("{:>10.2f}{:>9.2f}\n", level.seconds.estimate, series.around[i].elapsed);
     }
   text +=
       "(seconds of both formulations together; they run side by side, so that less time elapses)\n\n"
@@ -66,21 +58,11 @@ std::string study_text(const std::vector<Series>& all) {
 }
 
 std::string study_csv(const std::vector<Series>& all) {
-  std::string text =
-      "strategy,degree,level,cells,primal_dofs,dual_dofs,lower,upper,relative_error_bound,seconds_mesh,seconds_primal,"
-      "seconds_dual,seconds_estimate,seconds_total,seconds_elapsed";
-  for (const char* formulation : {"primal", "dual"})
-    for (const char* phase : phase_names) text += fmt::format(",{}_{}", formulation, phase);
-  text += "\n";
+  std::string text = "strategy,degree,level," + csv_names() + "\n";
   for (const Series& series : all)
-    for (std::size_t i = 0; i < series.levels.size(); ++i) {
-      const bounds::Level& level = series.levels[i];
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", series.strategy, series.degree, i,
-                          level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
-                          level.bracket.upper, level.bracket.relative_error_bound, level.seconds.mesh,
-                          level.seconds.primal, level.seconds.dual, level.seconds.estimate, level.seconds.total,
-                          series.elapsed[i], fmt::join(primal_phases(level), ","), fmt::join(dual_phases(level), ","));
-    }
+    for (std::size_t i = 0; i < series.levels.size(); ++i)
+      text += fmt::format("{},{},{},{}\n", series.strategy, series.degree, i,
+                          csv_values(series.levels[i], series.around[i]));
   return text;
 }
 
@@ -90,7 +72,7 @@ std::string study_json(const scene::Scene<2>& scene, const std::vector<Series>& 
   for (const Series& series : all) {
     Json levels = Json::array();
     for (std::size_t i = 0; i < series.levels.size(); ++i)
-      levels.push_back(level_json(series.levels[i], {.elapsed = series.elapsed[i], .write = 0}));
+      levels.push_back(level_json(series.levels[i], series.around[i]));
     list.push_back({{"strategy", series.strategy},
                     {"degree", series.degree},
                     {"end", series.end},
@@ -118,7 +100,7 @@ Picture study_picture(const std::vector<Series>& all) {
     std::string points, last;
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       if (!drawable(series.levels[i])) continue;
-      times.push_back(series.elapsed[i]);
+      times.push_back(series.around[i].elapsed);
       errors.push_back(series.levels[i].bracket.relative_error_bound);
       last = fmt::format("{} {}", times.back(), errors.back());
       points += last + "\n";

@@ -18,16 +18,16 @@ constexpr double noise = 1e-11;
 
 void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
   const auto& mesh = problem.mesh;
-  std::vector<double> largest(mesh.bodies.size(), 0);  // traction in each body
+  std::vector<double> largest(mesh.components.size(), 0);  // traction in each body
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (const int edge : mesh.cell_edges[c]) {
       const double length = (mesh.vertices[mesh.edges[edge][1]] - mesh.vertices[mesh.edges[edge][0]]).norm();
       for (const Vector<2>& load : loads.edge[edge])
-        largest[mesh.cell_body[c]] = std::max(largest[mesh.cell_body[c]], load.norm() / length);
+        largest[mesh.cell_component[c]] = std::max(largest[mesh.cell_component[c]], load.norm() / length);
     }
   for (const auto& pair : problem.contact) {
-    double traction = largest[mesh.cell_body[mesh.boundary[pair.first].cell]];
-    if (pair.second >= 0) traction = std::max(traction, largest[mesh.cell_body[mesh.boundary[pair.second].cell]]);
+    double traction = largest[mesh.cell_component[mesh.boundary[pair.first].cell]];
+    if (pair.second >= 0) traction = std::max(traction, largest[mesh.cell_component[mesh.boundary[pair.second].cell]]);
     for (double& p : loads.along_normal[pair.first])
       if (p <= noise * traction * scene::length(mesh, pair.first)) p = 0;
   }

@@ -28,7 +28,7 @@ Link link(int one, int other, const scene::Vector<2>& d) {
 /// \param ground the number of what does not move: that of the bodies
 std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char>& carrying, int ground) {
   const auto& mesh = problem.mesh;
-  const auto body_of = [&](int facet) { return mesh.cell_body[mesh.boundary[facet].cell]; };
+  const auto body_of = [&](int facet) { return mesh.cell_component[mesh.boundary[facet].cell]; };
   std::set<Link> links;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int body = body_of(static_cast<int>(f));
@@ -66,7 +66,7 @@ int rank(std::vector<Row> rows) {
 }  // namespace
 
 int unheld_motions(const scene::Problem<2>& problem, const std::vector<char>& carrying) {
-  const int bodies = static_cast<int>(problem.mesh.bodies.size());
+  const int bodies = static_cast<int>(problem.mesh.components.size());
   const std::set<Link> links = links_of(problem, carrying, bodies);
   std::vector<int> ranks(bodies + 1), parents(bodies + 1);
   std::iota(parents.begin(), parents.end(), 0);

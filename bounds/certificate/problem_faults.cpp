@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <limits>
+#include <numeric>
 
 #include "bounds/certificate/elastic_form.h"
 #include "bounds/certificate/geometry.h"
@@ -29,15 +31,17 @@ template <std::size_t n> bool all_finite(const std::array<Vector<2>, n>& values)
 
 std::string index_fault(const Problem<2>& problem) {
   const auto& mesh = problem.mesh;
-  if (mesh.cells.empty() || mesh.bodies.empty()) return "the problem has no cells";
+  if (mesh.cells.empty() || mesh.bodies.empty() || mesh.components.empty()) return "the problem has no cells";
   if (problem.facets.size() != mesh.boundary.size() || problem.bodies.size() != mesh.bodies.size() ||
-      mesh.cell_body.size() != mesh.cells.size() || mesh.cell_edges.size() != mesh.cells.size())
+      mesh.cell_body.size() != mesh.cells.size() || mesh.cell_component.size() != mesh.cells.size() ||
+      mesh.cell_edges.size() != mesh.cells.size())
     return "data and mesh of the problem differ in number";
   const auto vertex = [&](int v) { return in_range(v, mesh.vertices.size()); };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     if (!std::ranges::all_of(mesh.cells[c], vertex) || !in_range(mesh.cell_body[c], mesh.bodies.size()) ||
+        !in_range(mesh.cell_component[c], mesh.components.size()) ||
         !std::ranges::all_of(mesh.cell_edges[c], [&](int e) { return in_range(e, mesh.edges.size()); }))
-      return fmt::format("cell {} names a vertex, edge or body that is not there", c);
+      return fmt::format("cell {} names a vertex, edge, body or component that is not there", c);
   for (const auto& edge : mesh.edges)
     if (!std::ranges::all_of(edge, vertex)) return "an edge names a vertex that is not there";
   for (const auto& facet : mesh.boundary)
@@ -81,12 +85,16 @@ std::string number_fault(const Problem<2>& problem) {
 std::string topology_fault(const Problem<2>& problem) {
   const auto& mesh = problem.mesh;
   struct Walks {
-    int up = 0, down = 0, body = -1;
+    int up = 0, down = 0, cell = -1;
   };
   std::vector<Walks> walks(mesh.edges.size());
+  std::vector<int> ranks(mesh.cells.size()), parents(mesh.cells.size());
+  std::iota(parents.begin(), parents.end(), 0);
+  boost::disjoint_sets<int*, int*> connected(ranks.data(), parents.data());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const Enclosure area = doubled_area(corners<Enclosure>(problem, static_cast<int>(c)));
     if (!(area.middle > area.radius)) return fmt::format("the area of cell {} is not positive with certainty", c);
+    const int cell = static_cast<int>(c);
     for (int k = 0; k < 3; ++k) {
       const std::array<int, 2> walked = scene::facet_vertices(mesh, static_cast<int>(c), k);
       const std::array<int, 2>& edge = mesh.edges[mesh.cell_edges[c][k]];
@@ -99,10 +107,19 @@ std::string topology_fault(const Problem<2>& problem) {
         return fmt::format("edge {} of cell {} does not join its corners", k, c);
       if (so_far.up > 1 || so_far.down > 1)
         return fmt::format("more than one cell lies on one side of the edge of cell {}", c);
-      if (so_far.body >= 0 && so_far.body != mesh.cell_body[c]) return "two bodies share an edge";
-      so_far.body = mesh.cell_body[c];
+      if (so_far.cell < 0) so_far.cell = cell;
+      if (mesh.cell_component[so_far.cell] != mesh.cell_component[c]) return "two components share an edge";
+      connected.union_set(so_far.cell, cell);
     }
   }
+  // As many connected sets as components, and a cell in each: each component is one of the sets.
+  std::vector<char> has_cells(mesh.components.size(), 0);
+  for (const int component : mesh.cell_component) has_cells[component] = 1;
+  std::size_t sets = 0;
+  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
+    if (connected.find_set(cell) == cell) ++sets;
+  if (sets != mesh.components.size() || std::ranges::count(has_cells, 0) > 0)
+    return "a component of the mesh does not hang together through edges";
   std::size_t open = 0;
   for (const Walks& edge : walks) open += edge.up + edge.down == 1;
   std::vector<char> seen(mesh.edges.size(), 0);
@@ -143,8 +160,9 @@ std::string piece_fault(const Problem<2>& problem) {
   std::vector<Point> points(mesh.vertices.size(), {nothing, nothing, nothing});
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto& piece = origin.cells[c];
-    if (!in_range(piece.of, first.mesh.cells.size()) || first.mesh.cell_body[piece.of] != mesh.cell_body[c])
-      return fmt::format("cell {} is no piece of a cell of its body on the first mesh", c);
+    if (!in_range(piece.of, first.mesh.cells.size()) || first.mesh.cell_body[piece.of] != mesh.cell_body[c] ||
+        first.mesh.cell_component[piece.of] != mesh.cell_component[c])
+      return fmt::format("cell {} is no piece of a cell of its body and component on the first mesh", c);
     for (int i = 0; i < 3; ++i) {
       const auto& [x, y] = piece.corner[i];
       if (!dyadic(x) || !dyadic(y) || x + y > 1) return fmt::format("cell {} lies outside of its first cell", c);

@@ -51,7 +51,7 @@ std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vec
   std::erase_if(all, [&](const Candidate& candidate) {
     return std::find(barred.begin(), barred.end(), candidate.reaction) != barred.end();
   });
-  const auto n = static_cast<Eigen::Index>(3 * problem.mesh.bodies.size());
+  const auto n = static_cast<Eigen::Index>(3 * problem.mesh.components.size());
   Eigen::MatrixXd effects(n, static_cast<Eigen::Index>(all.size()));
   for (std::size_t j = 0; j < all.size(); ++j) {
     const auto column = effect<double>(problem, references, all[j].reaction);

@@ -54,9 +54,9 @@ template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& prob
 template <class Number>
 std::vector<Number> effect(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                            const Reaction& reaction) {
-  std::vector<Number> result(3 * problem.mesh.bodies.size(), Number(0));
+  std::vector<Number> result(3 * problem.mesh.components.size(), Number(0));
   const auto on = [&](const scene::Problem<2>& of, int facet, const SideLoad<Number>& on_facet) {
-    const int body = of.mesh.cell_body[of.mesh.boundary[facet].cell];
+    const int body = of.mesh.cell_component[of.mesh.boundary[facet].cell];
     const auto part = entries(references[body], facet_resultant(of, references, facet, on_facet));
     for (int i = 0; i < 3; ++i) result[3 * body + i] += part[i];
   };
@@ -80,7 +80,7 @@ std::optional<std::vector<Number>> amounts_that_hold(const scene::Problem<2>& pr
                                                      const std::vector<Reference>& references,
                                                      const std::vector<Reaction>& chosen,
                                                      const EdgeLoads<Number>& loads) {
-  const std::size_t n = 3 * problem.mesh.bodies.size();
+  const std::size_t n = 3 * problem.mesh.components.size();
   if (chosen.size() < n) return {};
   std::vector<Number> missing = totals<Number, Sum>(problem, references, loads);
   std::vector<std::vector<Number>> matrix(n, std::vector<Number>(n));

@@ -18,7 +18,7 @@ std::vector<Reference> references(const scene::Mesh<2>& mesh);
 template <class Number>
 Resultant<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references, int facet,
                                   const SideLoad<Number>& load) {
-  const auto& reference = references[problem.mesh.cell_body[problem.mesh.boundary[facet].cell]];
+  const auto& reference = references[problem.mesh.cell_component[problem.mesh.boundary[facet].cell]];
   return resultant(load, arm<Number>(problem, reference.point, facet), along<Number>(problem, facet));
 }
 
@@ -32,26 +32,25 @@ template <class Number, class Sum>
 std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                            const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
-  std::vector<Sum> sums(3 * mesh.bodies.size());
+  std::vector<Sum> sums(3 * mesh.components.size());
   const auto add = [&](int body, const Resultant<Number>& resultant) {
     const auto part = entries(references[body], resultant);
     for (int i = 0; i < 3; ++i) sums[3 * body + i].add(part[i]);
   };
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& facet = mesh.boundary[f];
-    add(mesh.cell_body[facet.cell],
+    add(mesh.cell_component[facet.cell],
         facet_resultant(problem, references, static_cast<int>(f), oriented(loads.edge[facet.edge], forward(facet))));
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_body[c];
-    const scene::Vector<2>& force = problem.bodies[body].force;
+    const int cell = static_cast<int>(c), component = mesh.cell_component[c];
+    const scene::Vector<2>& force = body_of(problem, cell).force;
     if (force.isZero(0)) continue;
-    const int cell = static_cast<int>(c);
     const auto x = corners<Number>(problem, cell);
     const Plane<Number> to_centroid =
-        arm_of_cell<Number>(problem, references[body].point, cell) + (Number(1) / Number(3)) * (x[1] + x[2]);
+        arm_of_cell<Number>(problem, references[component].point, cell) + (Number(1) / Number(3)) * (x[1] + x[2]);
     const Plane<Number> weight = (doubled_area(x) / Number(2)) * plane<Number>(force);
-    add(body, {weight, cross(to_centroid, weight)});
+    add(component, {weight, cross(to_centroid, weight)});
   }
   std::vector<Number> result;
   for (const Sum& sum : sums) result.push_back(sum.value());

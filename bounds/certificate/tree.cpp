@@ -8,11 +8,11 @@ namespace bracket::bounds {
 
 std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Reference>& references) {
   std::vector<std::array<int, 2>> cells_at(mesh.edges.size(), {-1, -1});
-  std::vector<int> root(mesh.bodies.size(), -1);
-  std::vector<double> nearest(mesh.bodies.size(), std::numeric_limits<double>::infinity());
+  std::vector<int> root(mesh.components.size(), -1);
+  std::vector<double> nearest(mesh.components.size(), std::numeric_limits<double>::infinity());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     for (const int edge : mesh.cell_edges[c]) cells_at[edge][cells_at[edge][0] >= 0] = static_cast<int>(c);
-    const int body = mesh.cell_body[c];
+    const int body = mesh.cell_component[c];
     const double distance = (mesh.vertices[mesh.cells[c][0]] - references[body].point).norm();
     if (distance >= nearest[body]) continue;
     nearest[body] = distance;

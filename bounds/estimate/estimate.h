@@ -29,6 +29,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
 struct Check {
   std::string name;
   double value;
+  std::string meaning;  ///< what holds where the value is small
 };
 
 /// How far the two computed fields are from being admissible, each by the scene's largest displacement or stress. Above
@@ -41,8 +42,9 @@ struct Checks {
   double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K
   double tension = 0;            ///< largest −p on Γ_K
   double gap_identity = 0;       ///< |sum of indicators − width| by the energy
-  Check worst() const;           ///< the largest, or one that is not a number
-  bool passed() const;           ///< all of them finite and at most `tolerance`
+  std::array<Check, 6> all() const;
+  Check worst() const;  ///< the largest, or one that is not a number
+  bool passed() const;  ///< all of them finite and at most `tolerance`
 };
 /// All but the gap identity, which needs the bracket.
 template <int dim>

@@ -72,6 +72,7 @@ std::pair<Mesh<2>, Halves> with_halved_edges(const Mesh<2>& old, const std::vect
   const std::size_t count = std::count(bisected.begin(), bisected.end(), true);
   Mesh<2> mesh;
   mesh.bodies = old.bodies;
+  mesh.components = old.components;
   mesh.parts = old.parts;
   mesh.notes = old.notes;
   mesh.coordinate_rounding = old.coordinate_rounding;
@@ -115,6 +116,7 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
   mesh.cells.reserve(count);
   mesh.cell_edges.reserve(count);
   mesh.cell_body.reserve(count);
+  mesh.cell_component.reserve(count);
   mesh.refinement_edge.reserve(count);
   std::vector<int> cell_parent;
   cell_parent.reserve(count);
@@ -126,6 +128,7 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
     mesh.cells.push_back(vertices);
     mesh.cell_edges.push_back(edges);
     mesh.cell_body.push_back(old.cell_body[parent]);
+    mesh.cell_component.push_back(old.cell_component[parent]);
     mesh.refinement_edge.push_back(static_cast<char>(cut));
     cell_parent.push_back(parent);
   };

@@ -13,9 +13,13 @@ namespace bracket::scene {
 /// A conforming triangulation of all bodies; bodies share no vertices, each hangs together through edges.
 template <int dim> struct Mesh {
   std::vector<Vector<dim>> vertices;
-  std::vector<std::array<int, dim + 1>> cells;                     ///< vertices, in an order as Simplex has it
-  std::vector<int> cell_body;                                      ///< index into `bodies`
-  std::vector<std::string> bodies;                                 ///< names
+  std::vector<std::array<int, dim + 1>> cells;  ///< vertices, in an order as Simplex has it
+  std::vector<int> cell_body;                   ///< index into `bodies`
+  std::vector<std::string> bodies;              ///< names
+  /// What hangs together through edges moves as one, whatever it is made of: index into `components`. Supports and
+  /// contact hold components; materials and weights are those of bodies.
+  std::vector<int> cell_component;
+  std::vector<std::string> components;                             ///< the names of their bodies
   std::vector<std::array<int, 2>> edges;                           ///< vertices, the lower index first
   std::vector<std::array<int, Simplex<dim>::n_edges>> cell_edges;  ///< in the order of Simplex::edges
   std::vector<char> refinement_edge;  ///< of each cell: which of its edges bisection cuts first

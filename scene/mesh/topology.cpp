@@ -3,11 +3,14 @@
 #include "scene/mesh/topology.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include "scene/text.h"
 
@@ -134,24 +137,42 @@ std::vector<char> longest_edges(const Mesh<2>& mesh) {
   return longest;
 }
 
-/// Each body must hang together through edges, and not by a point only.
-void check_connected(const Mesh<2>& mesh, const std::string& where) {
+/// The components and their names, in the order of their first bodies.
+Mesh<2> with_components(Mesh<2> mesh) {
   const int cells = static_cast<int>(mesh.cells.size());
   std::vector<int> ranks(cells), parents(cells);
   std::iota(parents.begin(), parents.end(), 0);
-  boost::disjoint_sets<int*, int*> pieces(ranks.data(), parents.data());
+  boost::disjoint_sets<int*, int*> connected(ranks.data(), parents.data());
   std::vector<int> first(n_facets(mesh), -1);
   for (int cell = 0; cell < cells; ++cell) {
     for (const int facet : cell_facets(mesh, cell)) {
       if (first[facet] == -1) first[facet] = cell;
-      pieces.union_set(first[facet], cell);
+      connected.union_set(first[facet], cell);
     }
   }
-  std::vector<int> first_of_body(mesh.bodies.size(), -1);
-  for (int cell = 0; cell < cells; ++cell) {
-    int& known = first_of_body[mesh.cell_body[cell]];
+  std::map<int, std::set<int>> bodies;  // of each set, by its representative
+  for (int cell = 0; cell < cells; ++cell) bodies[connected.find_set(cell)].insert(mesh.cell_body[cell]);
+  std::vector<std::pair<std::set<int>, int>> sets;
+  for (const auto& [representative, of] : bodies) sets.emplace_back(of, representative);
+  std::ranges::sort(sets);
+  std::vector<int> number(cells, -1);
+  for (const auto& [of, representative] : sets) {
+    number[representative] = static_cast<int>(mesh.components.size());
+    std::vector<std::string> names;
+    for (const int body : of) names.push_back(mesh.bodies[body]);
+    mesh.components.push_back(fmt::format("{}", fmt::join(names, " + ")));
+  }
+  for (int cell = 0; cell < cells; ++cell) mesh.cell_component.push_back(number[connected.find_set(cell)]);
+  return mesh;
+}
+
+/// Each body must be a component, and not hang by a point.
+void check_connected(const Mesh<2>& mesh, const std::string& where) {
+  std::vector<int> first(mesh.bodies.size(), -1);
+  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
+    int& known = first[mesh.cell_body[cell]];
     if (known == -1) known = cell;
-    if (pieces.find_set(known) == pieces.find_set(cell)) continue;
+    if (mesh.cell_component[known] == mesh.cell_component[cell]) continue;
     fail(Status::mesh, where,
          fmt::format("the body '{}' falls into pieces: no chain of cells leads from {} to {}; make each a body",
                      mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, cell))));
@@ -200,6 +221,7 @@ Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, con
   check_bodies_apart(mesh, where);
   mesh = with_edges(std::move(mesh), where);
   mesh.refinement_edge = longest_edges(mesh);
+  mesh = with_components(std::move(mesh));
   check_connected(mesh, where);
   return with_parts(std::move(mesh), part_edges, where);
 }

@@ -12,8 +12,8 @@ struct PartEdge {
 };
 
 /// `mesh`, of which vertices, cells, cell_body, bodies and parts are given, with the rest: clockwise cells turned (with
-/// a note), edges and boundary facets (both sorted by their vertices, lower index first), the facets' parts and, as the
-/// refinement edge of each cell, its longest.
+/// a note), edges and boundary facets (both sorted by their vertices, lower index first), the facets' parts, the
+/// components and, as the refinement edge of each cell, its longest.
 /// \pre every vertex has a cell
 /// \throw Error (mesh), at `where`: degenerate, duplicate or overlapping cells, an edge with more than two, bodies that
 ///        share vertices, fall into pieces or hang by a point, part edges off the boundary or in two parts

@@ -8,7 +8,7 @@
 
 namespace bracket::scene {
 
-template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body) {
+template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int component) {
   constexpr int n = Simplex<dim>::n_rigid_motions;
   using Motions = Eigen::Matrix<double, n, 1>;  // amounts of all of them
   const Mesh<dim>& mesh = problem.mesh;
@@ -16,7 +16,7 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
   std::vector<std::pair<Vector<dim>, Vector<dim>>> held;  // direction and place of each prescribed displacement
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     const auto& facet = mesh.boundary[f];
-    if (mesh.cell_body[facet.cell] != body) continue;
+    if (mesh.cell_component[facet.cell] != component) continue;
     for (const int v : facet.vertices) {
       const Vector<dim>& x = mesh.vertices[v];
       box.extend(x);

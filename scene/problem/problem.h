@@ -114,6 +114,11 @@ template <int dim> struct Problem {
   Origin<dim> origin;
 };
 
+/// What a cell is made of.
+template <int dim> const Body<dim>& body_of(const Problem<dim>& problem, int cell) {
+  return problem.bodies[problem.mesh.cell_body[cell]];
+}
+
 /// The problem on the first mesh.
 template <int dim> const Problem<dim>& first_of(const Problem<dim>& problem) {
   return problem.origin.first ? *problem.origin.first : problem;

@@ -23,12 +23,12 @@ template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, cons
   return u;
 }
 
-/// The rigid motions that the supports of a body leave free (none to all of them), linearly independent, each moving
-/// some point of the body by about 1 [HH81, R ∩ V].
-template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int body);
+/// The rigid motions that the supports of a component of the mesh leave free (none to all of them), linearly
+/// independent, each moving some point of it by about 1 [HH81, R ∩ V].
+template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int component);
 
 /// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", for messages; coordinates at rounding level are 0.
-/// \pre some point of the body is moved by about 1, as by free_motions()
+/// \pre some point of its component is moved by about 1, as by free_motions()
 template <int dim> std::string describe(const RigidMotion<dim>& motion);
 
 }  // namespace bracket::scene

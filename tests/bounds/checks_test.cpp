@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "bounds/bounds.h"
 #include "dual/dual.h"
 #include "primal/primal.h"
@@ -117,6 +119,19 @@ TEST(Checks, name_the_worst) {
   checks.interface_jump = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(checks.worst().name, "interface jump");
   EXPECT_FALSE(checks.passed());
+}
+
+TEST(Checks, each_may_be_the_worst) {
+  std::set<std::string> names;
+  for (double Checks::*check : {&Checks::penetration, &Checks::equilibrium, &Checks::interface_jump,
+                                &Checks::boundary_traction, &Checks::tension, &Checks::gap_identity}) {
+    Checks checks;
+    checks.*check = 2 * Checks::tolerance;
+    EXPECT_EQ(checks.worst().value, checks.*check);
+    EXPECT_FALSE(checks.passed());
+    EXPECT_TRUE(names.insert(checks.worst().name).second) << checks.worst().name;
+  }
+  EXPECT_EQ(names.size(), Checks().all().size());
 }
 
 TEST(Checks, do_not_pass_what_is_not_a_number) {

@@ -1,8 +1,12 @@
-// A block pressed on a rigid wall by a punch-like load: the scene in code, the adaptive driver, the interval.
+// A block pressed on a rigid wall by a punch-like load: the scene in code, the adaptive driver, the interval, the
+// fields and the report as files.
+#include <apps/report/report.h>
+#include <apps/report/vtk.h>
 #include <bounds/bounds.h>
 #include <bracket/version.h>
 
 #include <cstdio>
+#include <fstream>
 
 using namespace bracket;
 
@@ -26,6 +30,9 @@ int main() {
     const auto outcome = bounds::run(scene, observer);
     std::printf("Bracket %s: energy in [%.17g, %.17g], error at most %.2g of the solution\n", BRACKET_VERSION_STRING,
                 outcome.lower, outcome.upper, outcome.relative_error_bound);
+    std::ofstream("solution.vtu", std::ios::binary)
+        << apps::solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator);
+    std::ofstream("report.json") << apps::report_json(apps::report(scene, outcome));
     return static_cast<int>(outcome.status);
   } catch (const scene::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -62,6 +62,10 @@ TEST(ProblemFault, on_the_first_mesh) {
   const std::vector<std::pair<Change, std::string>> changes = {
       {[](auto& p) { std::swap(p.mesh.cells[0][0], p.mesh.cells[0][1]); }, "area"},
       {[](auto& p) { p.mesh.cells[0][0] = 10000; }, "not there"},
+      {[](auto& p) { std::ranges::fill(p.mesh.cell_component, 0), p.mesh.components.pop_back(); }, "hang together"},
+      {[](auto& p) { p.mesh.components.push_back("nothing"); }, "hang together"},
+      {[](auto& p) { p.mesh.cell_component[0] = 1 - p.mesh.cell_component[0]; }, "components share an edge"},
+      {[](auto& p) { p.mesh.cell_component[3] = 2; }, "not there"},
       {[](auto& p) { p.mesh.cell_edges[1] = p.mesh.cell_edges[0]; }, "corners"},
       {[](auto& p) { p.mesh.boundary[1] = p.mesh.boundary[0]; }, "boundary facet 1"},
       {[](auto& p) { p.mesh.boundary.pop_back(), p.facets.pop_back(); }, ""},
