@@ -14,10 +14,10 @@ struct GaussPoint {
 /// The n points of Gauss and Legendre, from left to right. \pre n is odd
 template <int n> std::array<GaussPoint, n> gauss_points() {
   static_assert(n % 2 == 1);
-  using Rule = boost::math::quadrature::gauss<double, n>;
+  using Rule = boost::math::quadrature::gauss<long double, n>;  // not tabled but computed: rounded afterwards
   std::array<GaussPoint, n> points;
   for (int k = 0; k <= n / 2; ++k) {  // the rule has the right half
-    const double x = Rule::abscissa()[k], weight = Rule::weights()[k];
+    const auto x = static_cast<double>(Rule::abscissa()[k]), weight = static_cast<double>(Rule::weights()[k]);
     points[n / 2 - k] = {-x, weight};
     points[n / 2 + k] = {x, weight};
   }
