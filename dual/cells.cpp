@@ -108,12 +108,6 @@ template <int dim> std::vector<Cell> make_cells(const Problem<dim>& problem, con
   return cells;
 }
 
-int first_not_definite(const std::vector<Cell>& cells) {
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    if (cells[c].compliance.info() != Eigen::Success) return static_cast<int>(c);
-  return -1;
-}
-
 template <int dim> std::vector<LoadVector> prescribed_displacements(const Problem<dim>& problem) {
   std::vector<LoadVector> result(problem.mesh.cells.size(), LoadVector::Zero());
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {

@@ -38,8 +38,6 @@ struct Cell {
   std::array<int, n_loads> unknowns;  ///< −1: prescribed
 };
 template <int dim> std::vector<Cell> make_cells(const scene::Problem<dim>& problem, const Layout& layout);
-/// The first cell whose compliance is not definite in floating point: it is too thin; −1: none.
-int first_not_definite(const std::vector<Cell>& cells);
 
 /// The displacements that are prescribed on the edges of each cell, others zero; empty where all are.
 template <int dim> std::vector<LoadVector> prescribed_displacements(const scene::Problem<dim>& problem);

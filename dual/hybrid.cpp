@@ -219,10 +219,6 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   const double of_data = clock.seconds();
 
   contact::Solution solution = bodies.solve(all, gap_moments(problem), guess);
-  if (const int cell = first_not_definite(cells); cell >= 0) {
-    solution.termination = contact::Termination::not_definite;
-    solution.body = problem.mesh.cell_component[cell];
-  }
   Result<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(

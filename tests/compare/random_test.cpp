@@ -46,7 +46,9 @@ TEST(RandomScenes, press_nowhere_but_on_closed_rows) {
     const auto solved = dual::solve(problem);
     const auto pressure = bounds::contact_pressure(problem, solved.stress);
     for (std::size_t j = 0; j < pressure.size(); ++j)
-      if (!solved.closed[j]) EXPECT_EQ(pressure[j], (std::array<double, 2>{0, 0})) << random.text;
+      if (!solved.closed[j]) {
+        EXPECT_EQ(pressure[j], (std::array<double, 2>{0, 0})) << random.text;
+      }
   }
 }
 
