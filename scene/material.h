@@ -43,8 +43,7 @@ template <int dim> Material<dim> isotropic(double young, double poisson, Plane p
 
 /// \param stiffness its upper triangle counts where it is symmetric but for rounding
 /// \throw Error (input) unless it is finite, symmetric within 64 ε of its largest entry, and positive definite: the
-/// least
-///        eigenvalue of it scaled to a unit diagonal is more than 64 ε, beyond what rounding can do to it
+///        least eigenvalue of it scaled to a unit diagonal is more than 64 ε, beyond what rounding can do to it
 template <int dim> Material<dim> anisotropic(const Elasticity<dim>& stiffness);
 
 /// A body's material and weight; none but given.

@@ -98,10 +98,9 @@ template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 /// interpolated linearly, gaps quadratically; matches the contact sides edge by edge; gives the facets of one straight
 /// line one normal; where displacements are prescribed on both sides of a contact's vertex and close more than its gap
 /// by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to their approach.
-/// \param mesh that of the scene, or another whose bodies and parts have its names; the scene then needs no mesh of its
-/// own \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
-/// displacements
-///        that contradict each other at a vertex; mesh: sides that do not match)
+/// \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs none
+/// \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
+///        displacements that contradict each other at a vertex; mesh: sides that do not match)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 
 }  // namespace bracket::scene

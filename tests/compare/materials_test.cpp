@@ -15,8 +15,9 @@ struct Bar {
 };
 
 scene::Problem<2> problem_of(const Bar& bar, bool on_wall) {
-  scene::Scene<2> s;
-  s.blocks = {block("bar", 0, 4, 0, 1, 4, 2)};
+  scene::Scene<2> whole, s;
+  whole.blocks = {block("bar", 0, 4, 0, 1, 4, 2)};
+  whole.bodies = {{"bar", scene::isotropic<2>(1, 0, scene::Plane::strain)}};
   s.bodies = {{"left", scene::isotropic<2>(bar.young_left, 0, scene::Plane::strain)},
               {"right", scene::isotropic<2>(bar.young_right, 0, scene::Plane::strain)}};
   s.boundary = {{"bar.right", traction(constant(bar.pull), constant(0))}};
@@ -24,7 +25,7 @@ scene::Problem<2> problem_of(const Bar& bar, bool on_wall) {
     s.contact = {{"bar.left", "rigid", constant(0), ""}};
   else
     s.boundary["bar.left"] = sliding(0);
-  scene::Mesh<2> mesh = scene::build_mesh(s);
+  scene::Mesh<2> mesh = scene::build_mesh(whole);
   mesh.bodies = {"left", "right"};
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     double x = 0;

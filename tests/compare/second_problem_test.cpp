@@ -69,7 +69,7 @@ TEST(SecondProblem, OfOtherBodiesIsRefused) {
     EXPECT_THROW(primal::Solver<2>(first, 2).solve(other), std::invalid_argument);
     EXPECT_THROW(dual::Solver<2>(first).solve(other), std::invalid_argument);
   }
-  for (const int degree : {-1, 0, 3}) EXPECT_THROW(primal::Solver<2>(first, degree), std::invalid_argument);
+  for (const int degree : {-1, 0, 3}) EXPECT_THROW(primal::Solver<2>(first, degree), scene::Error);
 }
 
 }  // namespace

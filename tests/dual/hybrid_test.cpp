@@ -117,6 +117,7 @@ TEST(Hybrid, tension_never_crosses_the_contact) {
 TEST(Hybrid, prescribed_displacements_enter_exactly) {
   // A uniform strain prescribed on the whole boundary: constant stress, whatever the mesh.
   scene::Scene<2> scene;
+  scene.plane = scene::Plane::stress;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 3, 3)};
   scene.bodies = {{"b", scene::isotropic<2>(1, 0.25, scene::Plane::stress)}};
   const Eigen::Matrix2d gradient = (Eigen::Matrix2d() << 0.1, 0.3, -0.2, 0.05).finished();
