@@ -28,9 +28,8 @@ template <int dim> struct Examined {
 };
 
 /// {displacement | stress} → certificate, bracket, indicators.
-/// \param earlier levels of the run   \param run_clock since it began: Uzawa's iteration, alone in being slow, ends
-/// when
-///     the time is spent
+/// \param earlier levels of the run
+/// \param run_clock since it began: Uzawa's iteration, alone in being slow, ends when the time is spent
 template <int dim>
 Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
                       const Clock& run_clock, const Observer<dim>& observer);

@@ -58,8 +58,8 @@ template <int dim> struct PointValues {
   scene::Voigt<dim> stress;               ///< λ_h
 };
 /// The values at x, from the first in Mesh::cells of the cells that hold it, within the rounding of coordinates: where
-/// bodies touch, from the one that comes first in Mesh::bodies. Looks through all cells. \return none outside all
-/// bodies
+/// bodies touch, from the one that comes first in Mesh::bodies. Looks through all cells.
+/// \return none outside all bodies
 template <int dim>
 std::optional<PointValues<dim>> values_at(const scene::Problem<dim>& problem,
                                           const scene::Displacement<dim>& displacement,

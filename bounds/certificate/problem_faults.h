@@ -11,9 +11,9 @@ namespace bracket::bounds {
 /// - every index is in range, every number finite, every material definite;
 /// - cells are counter-clockwise, an edge belongs to one cell or to two that walk it in opposite ways, the boundary is
 ///   what has one cell;
+/// - each component hangs together through edges, and is all that does;
 /// - after refinement: cells are dyadic pieces of the first mesh's which meet in the same points, facets are pieces
-/// that
-///   cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's;
+///   that cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's;
 /// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
 ///   the two sides and within 25° of the geometric normals;
 /// - displacements that are prescribed twice agree.
