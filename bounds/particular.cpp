@@ -33,7 +33,7 @@ template <int dim> scene::Stress<dim> particular_stress(const scene::Problem<dim
   stress.cell.resize(problem.mesh.cells.size());
   for (std::size_t c = 0; c < stress.cell.size(); ++c) {
     const int cell = static_cast<int>(c);
-    const auto parts = block_stress(problem, block(problem, loads, cell), cell);
+    const auto parts = block_stress(problem, loaded_cell(problem, loads, cell), cell);
     for (int i = 0; i < 3; ++i)  // the side i → i + 1 lies opposite to corner i + 2
       for (int corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k)

@@ -12,12 +12,11 @@ using scene::Simplex;
 using scene::traction;
 using scene::Vector;
 using scene::Voigt;
-using Plane = Vector<2>;
 
 constexpr std::array<std::array<int, 2>, 6> voigt_pairs = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
 /// Where edge e begins and ends.
-std::array<Plane, 2> ends(const Triangle& t, int e) {
+std::array<Vector<2>, 2> ends(const Triangle& t, int e) {
   const auto& [from, to] = Simplex<2>::edges[e];
   return {t[from], t[to]};
 }
@@ -29,7 +28,7 @@ Triangle part(const Triangle& t, int k) {
 }
 
 /// The seven parameters of a divergence-free linear stress, M(K) of [HH81, §2.1], at x.
-Eigen::Matrix<double, 3, 7> linear_stress(const Plane& x) {
+Eigen::Matrix<double, 3, 7> linear_stress(const Vector<2>& x) {
   Eigen::Matrix<double, 3, 7> m;
   m << 1, x[0], x[1], 0, 0, 0, 0,  //
       0, 0, 0, 1, x[0], x[1], 0,   //
@@ -40,7 +39,7 @@ Eigen::Matrix<double, 3, 7> linear_stress(const Plane& x) {
 /// Corner values of all 21 parameters of the three parts: row 9 k + 3 corner + component of part k.
 Eigen::MatrixXd corner_values(const Triangle& t) {
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(27, 21);
-  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) values.block<3, 7>(9 * k + 3 * c, 7 * k) = linear_stress(part(t, k)[c] - centroid);
   return values;
@@ -49,10 +48,10 @@ Eigen::MatrixXd corner_values(const Triangle& t) {
 /// The jump of the traction at both ends of the three inner edges, by the parameters: 12 × 21, of full rank.
 Eigen::MatrixXd continuity(const Triangle& t, const Eigen::MatrixXd& values) {
   Eigen::MatrixXd jump(12, 21);
-  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   for (int v = 0; v < 3; ++v) {
     // Vertex v is corner 1 of part v+1 and corner 0 of part v+2.
-    const Plane n = area_vector<2>({centroid, t[v]});
+    const Vector<2> n = area_vector<2>({centroid, t[v]});
     const std::array<int, 2> parts = {(v + 1) % 3, (v + 2) % 3};
     for (int end = 0; end < 2; ++end) {
       const int first = 9 * parts[0] + 3 * (end == 0 ? 1 : 2), second = 9 * parts[1] + 3 * (end == 0 ? 0 : 2);
@@ -68,8 +67,8 @@ Eigen::MatrixXd continuity(const Triangle& t, const Eigen::MatrixXd& values) {
 LoadVector edge_loads(const Triangle& t, const Corners& stress) {
   LoadVector loads;
   for (int e = 0; e < 3; ++e) {
-    const Plane n = area_vector<2>(ends(t, e));
-    const std::array<Plane, 2> at = {traction<2>(stress[3 * e], n), traction<2>(stress[3 * e + 1], n)};
+    const Vector<2> n = area_vector<2>(ends(t, e));
+    const std::array<Vector<2>, 2> at = {traction<2>(stress[3 * e], n), traction<2>(stress[3 * e + 1], n)};
     for (int i = 0; i < 2; ++i) loads.segment<2>(4 * e + 2 * i) = scene::hat_moment(at, i);
   }
   return loads;
@@ -88,7 +87,7 @@ LoadMatrix balanced_loads(const Triangle& t) {
     }
   for (int e = 0; e < 3; ++e, ++mode) {
     const auto [from, to] = ends(t, e);
-    const Plane along = to - from;
+    const Vector<2> along = to - from;
     loads.block<2, 1>(4 * e, mode) = -along;
     loads.block<2, 1>(4 * e + 2, mode) = along;
   }
@@ -98,7 +97,7 @@ LoadMatrix balanced_loads(const Triangle& t) {
 /// The modes are those of balanced_loads(), one each [HH81, Theorem 2.1]. Their corner values are integers, so that
 /// they are held exactly: rounded modes would act as a body force, the same in all cells of one shape.
 ReferenceBlock make_reference_block() {
-  const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)};
+  const Triangle t = {Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)};
   const Eigen::MatrixXd values = corner_values(t);
   const Eigen::MatrixXd q =
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(continuity(t, values).transpose()).householderQ();
@@ -181,7 +180,7 @@ Corners stress_at_corners(const Eigen::Matrix3d& piola, const ModeVector& amplit
 
 ModeVector coupling(const Triangle& t, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                     const Corners& stress) {
-  const Plane u = t[1] - t[0], v = t[2] - t[0];
+  const Vector<2> u = t[1] - t[0], v = t[2] - t[0];
   const double part_area = (u[0] * v[1] - u[1] * v[0]) / 6;
   ModeVector result = ModeVector::Zero();
   for (int m = 0; m < n_modes; ++m) {
@@ -201,11 +200,11 @@ ModeVector coupling(const Triangle& t, const Eigen::Matrix3d& piola, const scene
 
 Particular particular(const Triangle& t, const Eigen::Matrix3d& piola, const scene::Elasticity<2>& compliance,
                       const scene::Vector<2>& force) {
-  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   Particular field;
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) {
-      const Plane x = part(t, k)[c] - centroid;
+      const Vector<2> x = part(t, k)[c] - centroid;
       field.stress[3 * k + c] = {-force[0] * x[0], -force[1] * x[1], 0};
     }
   field.coupling = coupling(t, piola, compliance, field.stress);

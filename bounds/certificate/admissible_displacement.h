@@ -29,8 +29,8 @@ struct Slide {
 template <class Number> Number value(const Slide& slide) {
   std::array<Number, 2> end;
   for (int i = 0; i < 2; ++i)
-    end[i] =
-        slide.fixed[i] ? dot(plane<Number>(slide.displacement[i]), plane<Number>(slide.normal)) : Number(slide.end[i]);
+    end[i] = slide.fixed[i] ? dot(vector2<Number>(slide.displacement[i]), vector2<Number>(slide.normal))
+                            : Number(slide.end[i]);
   return between_ends(end[0], end[1], slide.t);
 }
 
@@ -49,11 +49,11 @@ std::vector<const scene::Vector<2>*> fixed_vertices(const scene::Problem<2>& fir
 std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const scene::Vector<2>*>& fixed,
                                int facet);
 /// What is prescribed at the ends of a facet of Γ_u.
-template <class Number> std::array<Plane<Number>, 2> held_at(const scene::Problem<2>& problem, int facet) {
+template <class Number> std::array<Vector2<Number>, 2> held_at(const scene::Problem<2>& problem, int facet) {
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const auto& [a, b] = scene::first_of(problem).facets[of].displacement;
-  std::array<Plane<Number>, 2> u;
-  for (int i = 0; i < 2; ++i) u[i] = between_ends(plane<Number>(a), plane<Number>(b), corner[i][0]);
+  std::array<Vector2<Number>, 2> u;
+  for (int i = 0; i < 2; ++i) u[i] = between_ends(vector2<Number>(a), vector2<Number>(b), corner[i][0]);
   return u;
 }
 
@@ -66,24 +66,24 @@ struct PlainField {
 
 /// The vector along `normal` that moves u onto u·normal = value.
 template <class Number>
-Plane<Number> onto(const Plane<Number>& u, const scene::Vector<2>& normal, const Number& value) {
-  const Plane<Number> n = plane<Number>(normal);
+Vector2<Number> onto(const Vector2<Number>& u, const scene::Vector<2>& normal, const Number& value) {
+  const Vector2<Number> n = vector2<Number>(normal);
   const Number missing = value - dot(n, u);
   return (missing / dot(n, n)) * n;
 }
 
 /// What is to be added to a vertex's plain displacement.
-template <class Number> Plane<Number> shift(const VertexSupport& support, const scene::Vector<2>& displacement) {
-  const Plane<Number> u = plane<Number>(displacement);
+template <class Number> Vector2<Number> shift(const VertexSupport& support, const scene::Vector<2>& displacement) {
+  const Vector2<Number> u = vector2<Number>(displacement);
   if (support.fixed) {  // in this order: the first difference is small, the second may be smaller still
     const auto& [a, b] = support.held.end;
-    const Plane<Number> from = between<Number>(displacement, a);
+    const Vector2<Number> from = between<Number>(displacement, a);
     const double t = support.held.t;
     return t == 0 ? from : t == 1 ? between<Number>(displacement, b) : from + Number(t) * between<Number>(a, b);
   }
   if (support.slides == 0) return {};
   if (support.slides == 1) return onto(u, support.slide[0].normal, value<Number>(support.slide[0]));
-  const Plane<Number> a = plane<Number>(support.slide[0].normal), b = plane<Number>(support.slide[1].normal);
+  const Vector2<Number> a = vector2<Number>(support.slide[0].normal), b = vector2<Number>(support.slide[1].normal);
   const Number of_a = value<Number>(support.slide[0]) - dot(a, u), of_b = value<Number>(support.slide[1]) - dot(b, u);
   const Number determinant = cross(a, b);
   return {(of_a * b.y - of_b * a.y) / determinant, (of_b * a.x - of_a * b.x) / determinant};
@@ -96,8 +96,8 @@ Number component(const VertexSupport& support, const scene::Vector<2>& displacem
     if (support.slide[i].normal == d) return value<Number>(support.slide[i]);
     if (support.slide[i].normal == -d) return -value<Number>(support.slide[i]);
   }
-  const Plane<Number> along = plane<Number>(d);
-  return dot(plane<Number>(displacement), along) + dot(shift<Number>(support, displacement), along);
+  const Vector2<Number> along = vector2<Number>(d);
+  return dot(vector2<Number>(displacement), along) + dot(shift<Number>(support, displacement), along);
 }
 
 /// (u' − u'')·d at a vertex of a contact's first side and that of the second on it (−1: a wall): what moves both alike
@@ -108,9 +108,9 @@ Number approach(const std::vector<VertexSupport>& supports, const PlainField& fi
   const auto along = [&](int vertex) { return component<Number>(supports[vertex], field.vertex[vertex], d); };
   if (second < 0) return along(first);
   if (supports[first].slides > 0 || supports[second].slides > 0) return along(first) - along(second);
-  const Plane<Number> moved =
+  const Vector2<Number> moved =
       shift<Number>(supports[first], field.vertex[first]) - shift<Number>(supports[second], field.vertex[second]);
-  return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, plane<Number>(d));
+  return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, vector2<Number>(d));
 }
 
 /// r − g of one contact facet, g the lower gap, as Bernstein coefficients: at its vertices 0 and 1 and in the middle.
@@ -128,8 +128,9 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
   }
   Number bubble(0);
   if (!field.bubble.empty()) {
-    bubble += dot(plane<Number>(field.bubble[first.edge]), plane<Number>(d));
-    if (pair.second >= 0) bubble -= dot(plane<Number>(field.bubble[mesh.boundary[pair.second].edge]), plane<Number>(d));
+    bubble += dot(vector2<Number>(field.bubble[first.edge]), vector2<Number>(d));
+    if (pair.second >= 0)
+      bubble -= dot(vector2<Number>(field.bubble[mesh.boundary[pair.second].edge]), vector2<Number>(d));
   }
   r[2] = (r[0] + r[1]) / Number(2) + Number(2) * bubble - Number(pair.lower[1]);
   r[0] -= Number(pair.lower[0]);
@@ -156,15 +157,15 @@ template <class Number> struct FieldEnergy {
 /// \param bubbles of all edges, moved onto the supports; empty for degree 1
 template <class Number>
 Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
-                          const std::vector<Plane<Number>>& shifts, const std::vector<Plane<Number>>& bubbles,
+                          const std::vector<Vector2<Number>>& shifts, const std::vector<Vector2<Number>>& bubbles,
                           int cell) {
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
-  const std::array<Plane<Number>, 3> x = corners<Number>(problem, cell);
+  const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
   const Number doubled = doubled_area(x);
-  std::array<Plane<Number>, 3> gradient;  // of φ
+  std::array<Vector2<Number>, 3> gradient;  // of φ
   for (int k = 0; k < 3; ++k) {
-    const Plane<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
+    const Vector2<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
     gradient[k] = (Number(1) / doubled) * turned(opposite);
   }
   std::array<std::array<Number, 3>, 3> strain;
@@ -172,7 +173,7 @@ Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Nu
     Number xx(0), yy(0), xy(0);
     for (int j = 0; j < 3; ++j) {
       if (j == m) continue;
-      Plane<Number> slope = between<Number>(field.vertex[v[m]], field.vertex[v[j]]) + (shifts[v[j]] - shifts[v[m]]);
+      Vector2<Number> slope = between<Number>(field.vertex[v[m]], field.vertex[v[j]]) + (shifts[v[j]] - shifts[v[m]]);
       if (!bubbles.empty())
         slope = slope + Number(4) * bubbles[mesh.cell_edges[cell][scene::Simplex<2>::edge_between(m, j)]];
       xx += slope.x * gradient[j].x;
@@ -215,15 +216,15 @@ bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<
 /// ∫ T·u dτ over a facet of Γ_τ, T linear.
 template <class Number>
 Number facet_work(const scene::Mesh<2>& mesh, const std::vector<VertexSupport>& supports, const PlainField& field,
-                  int facet, const std::array<Plane<Number>, 2>& load) {
-  std::array<Plane<Number>, 2> u;
+                  int facet, const std::array<Vector2<Number>, 2>& load) {
+  std::array<Vector2<Number>, 2> u;
   for (int i = 0; i < 2; ++i) {
     const int v = mesh.boundary[facet].vertices[i];
-    u[i] = plane<Number>(field.vertex[v]) + shift<Number>(supports[v], field.vertex[v]);
+    u[i] = vector2<Number>(field.vertex[v]) + shift<Number>(supports[v], field.vertex[v]);
   }
   const Number linear = linear_product(load, u);
   if (field.bubble.empty()) return linear;
-  return linear + dot(load[0] + load[1], plane<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
+  return linear + dot(load[0] + load[1], vector2<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
 }
 
 /// L of the field that `field` stands for [HH81 §1].
@@ -232,11 +233,11 @@ template <class Number, class Sum>
 FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                  const PlainField& field, const std::vector<Corrected<Number>>& corrections) {
   const auto& mesh = problem.mesh;
-  std::vector<Plane<Number>> shifts(field.vertex.size()), bubbles;
+  std::vector<Vector2<Number>> shifts(field.vertex.size()), bubbles;
   for (std::size_t v = 0; v < shifts.size(); ++v) shifts[v] = shift<Number>(supports[v], field.vertex[v]);
-  for (const auto& w : field.bubble) bubbles.push_back(plane<Number>(w));
+  for (const auto& w : field.bubble) bubbles.push_back(vector2<Number>(w));
   for (std::size_t f = 0; f < problem.facets.size() && !bubbles.empty(); ++f)
-    if (Plane<Number>& w = bubbles[mesh.boundary[f].edge]; problem.facets[f].support == scene::Support::sliding)
+    if (Vector2<Number>& w = bubbles[mesh.boundary[f].edge]; problem.facets[f].support == scene::Support::sliding)
       w = w + onto(w, problem.facets[f].normal, Number(0));
 
   const auto forms = elastic_forms<Number>(problem);
@@ -246,12 +247,12 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
     strain.add(cell_strain_energy(problem, forms[body], field, shifts, bubbles, cell));
     const scene::Vector<2>& force = problem.bodies[body].force;
     if (force.isZero(0)) continue;
-    Plane<Number> u;  // three times its mean
+    Vector2<Number> u;  // three times its mean
     for (int k = 0; k < 3; ++k) {
-      u = u + plane<Number>(field.vertex[mesh.cells[c][k]]) + shifts[mesh.cells[c][k]];
+      u = u + vector2<Number>(field.vertex[mesh.cells[c][k]]) + shifts[mesh.cells[c][k]];
       if (!bubbles.empty()) u = u + bubbles[mesh.cell_edges[c][k]];
     }
-    work.add(doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(plane<Number>(force), u));
+    work.add(doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(vector2<Number>(force), u));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);

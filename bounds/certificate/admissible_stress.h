@@ -47,7 +47,7 @@ void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int
 /// Writes the loads of Γ_0 and Γ_K into the edges.
 template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
   const auto along = [&](int facet, const Number& at0, const Number& at1) {
-    const Plane<Number> n = plane<Number>(problem.facets[facet].normal);
+    const Vector2<Number> n = vector2<Number>(problem.facets[facet].normal);
     set_boundary_load(loads, problem.mesh, facet, {at0 * n, at1 * n});
   };
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
@@ -65,7 +65,7 @@ template <class Number>
 EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& given,
                            const std::vector<Corrected<Number>>& corrections) {
   EdgeLoads<Number> loads;
-  for (const auto& [a, b] : given.edge) loads.edge.push_back({plane<Number>(a), plane<Number>(b)});
+  for (const auto& [a, b] : given.edge) loads.edge.push_back({vector2<Number>(a), vector2<Number>(b)});
   for (const auto& [a, b] : given.along_normal) loads.along_normal.push_back({Number(a), Number(b)});
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
@@ -77,16 +77,16 @@ EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& g
 }
 
 /// A cell's corners as seen from its first, and the loads on its sides i → i + 1.
-template <class Number> struct Block {
-  std::array<Plane<Number>, 3> x;
+template <class Number> struct LoadedCell {
+  std::array<Vector2<Number>, 3> x;
   std::array<SideLoad<Number>, 3> load;
   std::array<int, 3> edge;
   std::array<bool, 3> forward;
 };
 template <class Number>
-Block<Number> block(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads, int cell) {
+LoadedCell<Number> loaded_cell(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads, int cell) {
   const auto& mesh = problem.mesh;
-  Block<Number> result;
+  LoadedCell<Number> result;
   result.x = corners<Number>(problem, cell);
   const auto& v = mesh.cells[cell];
   for (int i = 0; i < 3; ++i) {
@@ -99,8 +99,8 @@ Block<Number> block(const scene::Problem<2>& problem, const EdgeLoads<Number>& l
 
 /// What is left of a cell's loads and its body force, about its first corner.
 template <class Number>
-Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number>& block, int cell) {
-  Resultant<Number> sum;
+Wrench<Number> imbalance(const scene::Problem<2>& problem, const LoadedCell<Number>& block, int cell) {
+  Wrench<Number> sum;
   for (int i = 0; i < 3; ++i) {
     const auto part = resultant(block.load[i], block.x[i], block.x[(i + 1) % 3] - block.x[i]);
     sum.force = sum.force + part.force;
@@ -108,7 +108,7 @@ Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number
   }
   const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
   if (force.isZero(0)) return sum;
-  const Plane<Number> weight = (doubled_area(block.x) / Number(2)) * plane<Number>(force);
+  const Vector2<Number> weight = (doubled_area(block.x) / Number(2)) * vector2<Number>(force);
   sum.force = sum.force + weight;
   sum.moment += cross(block.x[1] + block.x[2], weight) / Number(3);
   return sum;
@@ -116,19 +116,19 @@ Resultant<Number> imbalance(const scene::Problem<2>& problem, const Block<Number
 
 /// The stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the centroid.
 template <class Number>
-BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number> block, int cell) {
+BlockStress<Number> block_stress(const scene::Problem<2>& problem, LoadedCell<Number> block, int cell) {
   const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
   std::array<std::array<Number, 2>, 3> carried;  // xx, yy at the corners
-  const Plane<Number> f = plane<Number>(force);
+  const Vector2<Number> f = vector2<Number>(force);
   const bool has_force = !force.isZero(0);
   if (has_force) {
-    const Plane<Number> centroid = (Number(1) / Number(3)) * (block.x[0] + block.x[1] + block.x[2]);
+    const Vector2<Number> centroid = (Number(1) / Number(3)) * (block.x[0] + block.x[1] + block.x[2]);
     for (int i = 0; i < 3; ++i) carried[i] = {f.x * (centroid.x - block.x[i].x), f.y * (centroid.y - block.x[i].y)};
     for (int i = 0; i < 3; ++i) {
-      const Plane<Number> e = block.x[(i + 1) % 3] - block.x[i];  // n ds = (e_y, −e_x)
+      const Vector2<Number> e = block.x[(i + 1) % 3] - block.x[i];  // n ds = (e_y, −e_x)
       for (int end = 0; end < 2; ++end) {
         const auto& [xx, yy] = carried[(i + end) % 3];
-        block.load[i][end] = block.load[i][end] - Plane<Number>{xx * e.y, -(yy * e.x)};
+        block.load[i][end] = block.load[i][end] - Vector2<Number>{xx * e.y, -(yy * e.x)};
       }
     }
   }
@@ -141,7 +141,7 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, Block<Number>
 
 /// S of a cell in balance.
 template <class Number>
-Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const Block<Number>& block,
+Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const LoadedCell<Number>& block,
                     int cell) {
   const Number part = doubled_area(block.x) / Number(3);
   Number sum(0);
@@ -158,7 +158,7 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
   const auto of_cells = [&](int begin, int end) {
     Sum sum;
     for (int cell = begin; cell < end; ++cell)
-      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], block(problem, loads, cell), cell));
+      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], loaded_cell(problem, loads, cell), cell));
     return sum.value();
   };
   const int cells = static_cast<int>(mesh.cells.size());

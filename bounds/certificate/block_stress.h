@@ -1,31 +1,31 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bounds/certificate/plane.h"
+#include "bounds/certificate/vector2.h"
 
 namespace bracket::bounds {
 
 /// Loads on the side of a cell from corner i to corner i + 1, per unit of the parameter along it, at its two ends.
-template <class Number> using SideLoad = std::array<Plane<Number>, 2>;
+template <class Number> using SideLoad = std::array<Vector2<Number>, 2>;
 
-template <class Number> struct Resultant {
-  Plane<Number> force;
+template <class Number> struct Wrench {
+  Vector2<Number> force;
   Number moment = Number(0);
 };
 
 /// Force and moment of a load on the edge e, about a point from which the edge's first end is at `arm`.
 template <class Number>
-Resultant<Number> resultant(const SideLoad<Number>& load, const Plane<Number>& arm, const Plane<Number>& e) {
-  const Plane<Number> force = (Number(1) / Number(2)) * (load[0] + load[1]);
+Wrench<Number> resultant(const SideLoad<Number>& load, const Vector2<Number>& arm, const Vector2<Number>& e) {
+  const Vector2<Number> force = (Number(1) / Number(2)) * (load[0] + load[1]);
   return {force, cross(arm, force) + cross(e, load[0] + load[1] + load[1]) / Number(6)};
 }
 
 /// The load on the edge e that has a resultant, given about a point from which the edge's first end is at `arm`.
 template <class Number>
-SideLoad<Number> load_with(const Resultant<Number>& resultant, const Plane<Number>& arm, const Plane<Number>& e) {
-  const Plane<Number> to_middle = arm + (Number(1) / Number(2)) * e;
+SideLoad<Number> load_with(const Wrench<Number>& resultant, const Vector2<Number>& arm, const Vector2<Number>& e) {
+  const Vector2<Number> to_middle = arm + (Number(1) / Number(2)) * e;
   const Number rest = resultant.moment - cross(to_middle, resultant.force);
-  const Plane<Number> linear = (Number(6) * rest / dot(e, e)) * turned(e);
+  const Vector2<Number> linear = (Number(6) * rest / dot(e, e)) * turned(e);
   return {resultant.force - linear, resultant.force + linear};
 }
 
@@ -38,15 +38,15 @@ template <class Number> using BlockStress = std::array<std::array<std::array<Num
 /// with these boundary values: C¹, so that tractions are continuous. Its Bernstein coefficients follow by means.
 /// \param x corners, as seen from the first   \param load of the sides i → i + 1, self-equilibrated
 template <class Number>
-BlockStress<Number> stress_of_balanced(const std::array<Plane<Number>, 3>& x,
+BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
                                        const std::array<SideLoad<Number>, 3>& load) {
   const Number two(2), three(3), six(6);
-  const auto by = [](const Number& s, const Plane<Number>& a) { return s * a; };
-  const Plane<Number> centroid = by(Number(1) / three, x[0] + x[1] + x[2]);
+  const auto by = [](const Number& s, const Vector2<Number>& a) { return s * a; };
+  const Vector2<Number> centroid = by(Number(1) / three, x[0] + x[1] + x[2]);
   // φ and its gradient g at the corners (both zero at the first), b: the gradient's middle coefficient on each side.
   std::array<Number, 4> phi;
-  std::array<Plane<Number>, 4> g;
-  std::array<Plane<Number>, 3> b, side, inward;
+  std::array<Vector2<Number>, 4> g;
+  std::array<Vector2<Number>, 3> b, side, inward;
   phi[0] = Number(0);
   for (int i = 0; i < 3; ++i) {
     side[i] = x[(i + 1) % 3] - x[i];
@@ -76,8 +76,8 @@ BlockStress<Number> stress_of_balanced(const std::array<Plane<Number>, 3>& x,
          {a[j] - m[i] - (m[i] - a[i]), h[j] - m[i] - (h[i] - a[i]), centre - h[i] - (h[i] - a[i])}}};
     // Gradients of the coordinates along the side and inward.
     const Number determinant = cross(side[i], inward[i]);
-    const Plane<Number> p = by(Number(1) / determinant, -turned(inward[i]));
-    const Plane<Number> q = by(Number(1) / determinant, turned(side[i]));
+    const Vector2<Number> p = by(Number(1) / determinant, -turned(inward[i]));
+    const Vector2<Number> q = by(Number(1) / determinant, turned(side[i]));
     for (int k = 0; k < 3; ++k) {
       const auto& [uu, uv, vv] = second[k];
       const Number xx = uu * p.x * p.x + two * uv * p.x * q.x + vv * q.x * q.x;

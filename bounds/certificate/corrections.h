@@ -40,7 +40,7 @@ template <class Number, class Sum> Corrections<Number> corrected(const scene::Pr
     const auto& [facet, unit] = first.corrections[chosen[j].which];
     const Number& own = (*amounts)[j];
     if (first.facets[facet].support == scene::Support::traction)
-      result.loads.push_back({facet, {own * plane<Number>(unit[0]), own * plane<Number>(unit[1])}});
+      result.loads.push_back({facet, {own * vector2<Number>(unit[0]), own * vector2<Number>(unit[1])}});
     else if (!certainly_non_negative(own) || !certainly_non_negative(-own))  // not zero
       return {{}, "the weight of a body that nothing but contacts holds is not in balance to the last bit"};
   }

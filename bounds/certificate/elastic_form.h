@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bounds/certificate/plane.h"
+#include "bounds/certificate/vector2.h"
 
 namespace bracket::bounds {
 

@@ -39,14 +39,14 @@ std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure
 template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& problem, const Reaction& reaction) {
   if (reaction.kind == Reaction::Kind::normal) {
     SideLoad<Number> load;
-    load[reaction.which] = plane<Number>(problem.facets[reaction.facet].normal);
+    load[reaction.which] = vector2<Number>(problem.facets[reaction.facet].normal);
     return load;
   }
   if (reaction.which < 2) {
-    const Plane<Number> unit = plane<Number>(scene::Vector<2>::Unit(reaction.which));
+    const Vector2<Number> unit = vector2<Number>(scene::Vector<2>::Unit(reaction.which));
     return {unit, unit};
   }
-  const Plane<Number> across = turned(along<Number>(problem, reaction.facet));
+  const Vector2<Number> across = turned(along<Number>(problem, reaction.facet));
   return {-across, across};
 }
 
@@ -62,7 +62,7 @@ std::vector<Number> effect(const scene::Problem<2>& problem, const std::vector<R
   };
   if (reaction.kind == Reaction::Kind::correction) {
     const auto& [facet, unit] = scene::first_of(problem).corrections[reaction.which];
-    on(scene::first_of(problem), facet, {plane<Number>(unit[0]), plane<Number>(unit[1])});
+    on(scene::first_of(problem), facet, {vector2<Number>(unit[0]), vector2<Number>(unit[1])});
     return result;
   }
   SideLoad<Number> load = unit_load<Number>(problem, reaction);

@@ -14,16 +14,16 @@ struct Reference {
 /// Of each body.
 std::vector<Reference> references(const scene::Mesh<2>& mesh);
 
-/// Resultant of a facet's load on its body.
+/// Wrench of a facet's load on its body.
 template <class Number>
-Resultant<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references, int facet,
-                                  const SideLoad<Number>& load) {
+Wrench<Number> facet_resultant(const scene::Problem<2>& problem, const std::vector<Reference>& references, int facet,
+                               const SideLoad<Number>& load) {
   const auto& reference = references[problem.mesh.cell_component[problem.mesh.boundary[facet].cell]];
   return resultant(load, arm<Number>(problem, reference.point, facet), along<Number>(problem, facet));
 }
 
 /// A body's entries of Gᵀp = e: force, and moment by the size of the body.
-template <class Number> std::array<Number, 3> entries(const Reference& reference, const Resultant<Number>& resultant) {
+template <class Number> std::array<Number, 3> entries(const Reference& reference, const Wrench<Number>& resultant) {
   return {resultant.force.x, resultant.force.y, resultant.moment / Number(reference.size)};
 }
 
@@ -33,7 +33,7 @@ std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<R
                            const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
   std::vector<Sum> sums(3 * mesh.components.size());
-  const auto add = [&](int body, const Resultant<Number>& resultant) {
+  const auto add = [&](int body, const Wrench<Number>& resultant) {
     const auto part = entries(references[body], resultant);
     for (int i = 0; i < 3; ++i) sums[3 * body + i].add(part[i]);
   };
@@ -47,9 +47,9 @@ std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<R
     const scene::Vector<2>& force = body_of(problem, cell).force;
     if (force.isZero(0)) continue;
     const auto x = corners<Number>(problem, cell);
-    const Plane<Number> to_centroid =
+    const Vector2<Number> to_centroid =
         arm_of_cell<Number>(problem, references[component].point, cell) + (Number(1) / Number(3)) * (x[1] + x[2]);
-    const Plane<Number> weight = (doubled_area(x) / Number(2)) * plane<Number>(force);
+    const Vector2<Number> weight = (doubled_area(x) / Number(2)) * vector2<Number>(force);
     add(component, {weight, cross(to_centroid, weight)});
   }
   std::vector<Number> result;

@@ -23,8 +23,8 @@ EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<
   const auto& mesh = problem.mesh;
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again
   // from the loads that carry it, its enclosure would grow from cell to cell.
-  std::vector<Resultant<Number>> lacks(mesh.cells.size());
-  const auto add_to = [](Resultant<Number>& sum, const Resultant<Number>& part) {
+  std::vector<Wrench<Number>> lacks(mesh.cells.size());
+  const auto add_to = [](Wrench<Number>& sum, const Wrench<Number>& part) {
     sum.force = sum.force + part.force;
     sum.moment += part.moment;
   };
@@ -33,8 +33,8 @@ EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<
   for (auto branch = branches.rbegin(); branch != branches.rend(); ++branch) {
     if (branch->parent < 0) continue;
     const int i = branch->side;
-    const Block<Number> cell = block(problem, loads, branch->cell);
-    Resultant<Number>& own = lacks[branch->cell];
+    const LoadedCell<Number> cell = loaded_cell(problem, loads, branch->cell);
+    Wrench<Number>& own = lacks[branch->cell];
     add_to(own, imbalance(problem, cell, branch->cell));
     const SideLoad<Number> carried =
         oriented(load_with({-own.force, -own.moment}, cell.x[i], cell.x[(i + 1) % 3] - cell.x[i]), cell.forward[i]);
@@ -43,7 +43,7 @@ EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<
     // From the parent's first corner to that of the cell, by way of a corner that they share.
     const auto& of_parent = mesh.cells[branch->parent];
     const auto shared = std::find(of_parent.begin(), of_parent.end(), mesh.cells[branch->cell][i]) - of_parent.begin();
-    const Plane<Number> to_cell = corners<Number>(problem, branch->parent)[shared] - cell.x[i];
+    const Vector2<Number> to_cell = corners<Number>(problem, branch->parent)[shared] - cell.x[i];
     add_to(lacks[branch->parent], {own.force, own.moment + cross(to_cell, own.force)});
   }
   return result;

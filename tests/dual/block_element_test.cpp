@@ -10,7 +10,6 @@ namespace {
 
 using scene::Vector;
 using scene::Voigt;
-using Plane = Vector<2>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -18,25 +17,27 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 Triangle isosceles(double degrees) {
   const double half = degrees * M_PI / 360;
   const Eigen::Rotation2Dd turn(1);
-  return {Plane(3, -2), Plane(3, -2) + turn * Plane(std::cos(half), -std::sin(half)),
-          Plane(3, -2) + turn * Plane(std::cos(half), std::sin(half))};
+  return {Vector<2>(3, -2), Vector<2>(3, -2) + turn * Vector<2>(std::cos(half), -std::sin(half)),
+          Vector<2>(3, -2) + turn * Vector<2>(std::cos(half), std::sin(half))};
 }
 
 std::vector<Triangle> triangles() {
-  return {{Plane(0, 0), Plane(1, 0), Plane(0, 1)},
-          {Plane(2, 1), Plane(5, 1.5), Plane(3, 4)},
+  return {{Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)},
+          {Vector<2>(2, 1), Vector<2>(5, 1.5), Vector<2>(3, 4)},
           isosceles(1),
           isosceles(178),
-          {Plane(0, 0), Plane(1e-9, 0), Plane(2e-10, 1e-9)},
-          {Plane(0, 0), Plane(1e9, 0), Plane(1e8, 1e9)}};
+          {Vector<2>(0, 0), Vector<2>(1e-9, 0), Vector<2>(2e-10, 1e-9)},
+          {Vector<2>(0, 0), Vector<2>(1e9, 0), Vector<2>(1e8, 1e9)}};
 }
 
 scene::Elasticity<2> compliance() { return scene::isotropic<2>(2, 0.3, scene::Plane::strain).compliance(); }
 
-Plane traction(const Voigt<2>& s, const Plane& n) { return {s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]}; }
+Vector<2> traction(const Voigt<2>& s, const Vector<2>& n) {
+  return {s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]};
+}
 
-Plane outward(const Triangle& t, int edge) {
-  const Plane along = t[(edge + 2) % 3] - t[(edge + 1) % 3];
+Vector<2> outward(const Triangle& t, int edge) {
+  const Vector<2> along = t[(edge + 2) % 3] - t[(edge + 1) % 3];
   return {along[1], -along[0]};
 }
 
@@ -55,12 +56,12 @@ ModeVector random_amplitudes(unsigned seed) {
 
 /// The three rigid motions as edge displacements.
 Eigen::Matrix<double, n_loads, 3> rigid(const Triangle& t) {
-  const Plane centre = (t[0] + t[1] + t[2]) / 3;
+  const Vector<2> centre = (t[0] + t[1] + t[2]) / 3;
   const double size = (t[1] - t[0]).norm() + (t[2] - t[0]).norm();
   Eigen::Matrix<double, n_loads, 3> motions;
   for (int e = 0; e < 3; ++e)
     for (int i = 0; i < 2; ++i) {
-      const Plane arm = (t[(e + 1 + i) % 3] - centre) / size;
+      const Vector<2> arm = (t[(e + 1 + i) % 3] - centre) / size;
       motions.middleRows<2>(4 * e + 2 * i) << 1, 0, -arm[1], 0, 1, arm[0];
     }
   return motions;
@@ -76,14 +77,15 @@ TEST(BlockElement, reference_modes_are_exact) {
   // Integers: the tractions at the ends of the outer edges give the loads, and those of inner edges agree, to the last
   // bit.
   const ReferenceBlock& reference = reference_block();
-  const Triangle t = {Plane(0, 0), Plane(1, 0), Plane(0, 1)}, tripled = {Plane(0, 0), Plane(3, 0), Plane(0, 3)};
+  const Triangle t = {Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)},
+                 tripled = {Vector<2>(0, 0), Vector<2>(3, 0), Vector<2>(0, 3)};
   for (int m = 0; m < n_modes; ++m) {
     const Corners& s = reference.modes[m];
     for (int e = 0; e < 3; ++e) {
-      const Plane n = outward(t, e), a = traction(s[3 * e], n), b = traction(s[3 * e + 1], n);
-      EXPECT_EQ(Plane(2 * a + b), Plane(6 * reference.loads.block<2, 1>(4 * e, m)));
-      EXPECT_EQ(Plane(a + 2 * b), Plane(6 * reference.loads.block<2, 1>(4 * e + 2, m)));
-      const Plane inner = tripled[(e + 2) % 3] - Plane(1, 1), across(inner[1], -inner[0]);
+      const Vector<2> n = outward(t, e), a = traction(s[3 * e], n), b = traction(s[3 * e + 1], n);
+      EXPECT_EQ(Vector<2>(2 * a + b), Vector<2>(6 * reference.loads.block<2, 1>(4 * e, m)));
+      EXPECT_EQ(Vector<2>(a + 2 * b), Vector<2>(6 * reference.loads.block<2, 1>(4 * e + 2, m)));
+      const Vector<2> inner = tripled[(e + 2) % 3] - Vector<2>(1, 1), across(inner[1], -inner[0]);
       const int next = 3 * ((e + 1) % 3);
       EXPECT_EQ(traction(s[3 * e + 1], across), traction(s[next], across));
       EXPECT_EQ(traction(s[3 * e + 2], across), traction(s[next + 2], across));
@@ -121,20 +123,20 @@ TEST(BlockElement, each_equilibrated_linear_side_load_has_exactly_one_stress) { 
 TEST(BlockElement, modes_have_no_divergence_and_continuous_tractions) {
   for (const Triangle& t : triangles()) {
     const Corners s = stress_at_corners(block_element(t, compliance()).piola, random_amplitudes(7));
-    const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+    const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
     for (int k = 0; k < 3; ++k) {
       // The tractions on a closed curve balance where the divergence vanishes: over each part, linear fields.
       const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
-      Plane force = Plane::Zero();
+      Vector<2> force = Vector<2>::Zero();
       double size = 0;
       for (int c = 0; c < 3; ++c) {
-        const Plane n = outward(part, (c + 2) % 3);  // the edge from corner c to c+1
-        const Plane share = (traction(s[3 * k + c], n) + traction(s[3 * k + (c + 1) % 3], n)) / 2;
+        const Vector<2> n = outward(part, (c + 2) % 3);  // the edge from corner c to c+1
+        const Vector<2> share = (traction(s[3 * k + c], n) + traction(s[3 * k + (c + 1) % 3], n)) / 2;
         force += share;
         size += share.norm();
       }
       EXPECT_LT(force.norm(), 1e3 * eps * aspect(t) * size);
-      const Plane inner = t[(k + 2) % 3] - centroid, n = Plane(inner[1], -inner[0]).normalized();
+      const Vector<2> inner = t[(k + 2) % 3] - centroid, n = Vector<2>(inner[1], -inner[0]).normalized();
       const int next = 3 * ((k + 1) % 3);
       EXPECT_LT(traction(s[3 * k + 1] - s[next], n).norm(), 1e3 * eps * aspect(t) * largest(s));
       EXPECT_LT(traction(s[3 * k + 2] - s[next + 2], n).norm(), 1e3 * eps * aspect(t) * largest(s));
@@ -143,20 +145,20 @@ TEST(BlockElement, modes_have_no_divergence_and_continuous_tractions) {
 }
 
 TEST(BlockElement, contains_all_divergence_free_linear_stresses) {
-  const auto field = [](const Plane& x) {
+  const auto field = [](const Vector<2>& x) {
     return Voigt<2>(1 + 2 * x[0] - x[1], -3 + x[0] + 4 * x[1], 2 - 4 * x[0] - 2 * x[1]);
   };
   for (const Triangle& t : {triangles()[0], triangles()[1], triangles()[2]}) {
     const BlockElement block = block_element(t, compliance());
     LoadVector loads;
     for (int e = 0; e < 3; ++e) {
-      const Plane n = outward(t, e), a = traction(field(t[(e + 1) % 3]), n), b = traction(field(t[(e + 2) % 3]), n);
+      const Vector<2> n = outward(t, e), a = traction(field(t[(e + 1) % 3]), n), b = traction(field(t[(e + 2) % 3]), n);
       loads.segment<4>(4 * e) << (2 * a + b) / 6, (a + 2 * b) / 6;
     }
     const ModeVector amplitudes = Eigen::MatrixXd(block.loads).colPivHouseholderQr().solve(Eigen::VectorXd(loads));
     EXPECT_LT((block.loads * amplitudes - loads).norm(), 1e2 * eps * loads.norm());
     const Corners s = stress_at_corners(block.piola, amplitudes);
-    const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+    const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
     for (int k = 0; k < 3; ++k) {
       const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
       for (int c = 0; c < 3; ++c)
@@ -202,12 +204,12 @@ TEST(BlockElement, compliance_is_the_energy_of_its_stresses) {
 }
 
 TEST(BlockElement, particular_field_carries_the_body_force) {
-  const Plane force(0.7, -2);
+  const Vector<2> force(0.7, -2);
   for (const Triangle& t : triangles()) {
     const BlockElement block = block_element(t, compliance());
     const Particular field = particular(t, block.piola, compliance(), force);
     const double area = std::abs(outward(t, 0).dot(t[1] - t[0])) / 2;
-    Plane resultant = Plane::Zero();
+    Vector<2> resultant = Vector<2>::Zero();
     for (int r = 0; r < n_loads; r += 2) resultant += field.loads.segment<2>(r);
     EXPECT_LT((resultant + area * force).norm(), 1e2 * eps * field.loads.norm() + 1e2 * eps * area * force.norm());
     // Its coupling is the mixed term of the energy of both fields together: a quadratic form is exact at midpoints.

@@ -7,7 +7,6 @@
 namespace bracket::dual {
 namespace {
 
-using Plane = scene::Vector<2>;
 using Seven = Eigen::Matrix<double, 7, 1>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -24,12 +23,12 @@ struct Subtriangle {
   double area;
 };
 Subtriangle subtriangle(const Triangle& a) {
-  const Plane centre = (a[0] + a[1] + a[2]) / 3, u = a[1] - a[0], v = a[2] - a[0];
+  const scene::Vector<2> centre = (a[0] + a[1] + a[2]) / 3, u = a[1] - a[0], v = a[2] - a[0];
   return {{a[0] - centre, a[1] - centre, a[2] - centre}, (u[0] * v[1] - u[1] * v[0]) / 2};
 }
 
 /// M of (3.1).
-Eigen::Matrix<double, 3, 7> stress_matrix(const Subtriangle& k, const Material& material, const Plane& x) {
+Eigen::Matrix<double, 3, 7> stress_matrix(const Subtriangle& k, const Material& material, const scene::Vector<2>& x) {
   const double r = std::sqrt(k.area);
   Eigen::Matrix<double, 3, 7> m;
   m << r, 0, 0, 0, x[0], 0, x[1],  //
@@ -45,7 +44,7 @@ Eigen::Matrix<double, 7, 7> compliance_matrix(const Subtriangle& k, const Materi
   const double beta = material.plane_stress ? -nu : -nu * (1 + nu);
   const double gamma = 2 * (1 + nu);
   double s1 = 0, s2 = 0, s12 = 0;  // means of x1², x2², x1 x2: a twelfth of the sums over the corners
-  for (const Plane& a : k.a) {
+  for (const scene::Vector<2>& a : k.a) {
     s1 += a[0] * a[0] / 12;
     s2 += a[1] * a[1] / 12;
     s12 += a[0] * a[1] / 12;
@@ -64,7 +63,7 @@ Eigen::Matrix<double, 7, 7> compliance_matrix(const Subtriangle& k, const Materi
 /// C of (3.4) for the side from corner i to i + 1 (from 0): T1 = S1* + S2* p, T2 = S3* + S4* p, p from −1 to 1. In the
 /// scanned text the fifth entry of the second row has the opposite sign; T1 = x1 n1 − x2 n2 there has this one.
 Eigen::Matrix<double, 4, 7> side_matrix(const Subtriangle& k, const Material& material, int i) {
-  const Plane from = k.a[i], to = k.a[(i + 1) % 3];
+  const scene::Vector<2> from = k.a[i], to = k.a[(i + 1) % 3];
   const double x2 = from[0], y2 = from[1], x3 = to[0], y3 = to[1], dx = x2 - x3, dy = y2 - y3;
   const double r = 2 * std::sqrt(k.area);
   Eigen::Matrix<double, 4, 7> c;
@@ -77,7 +76,7 @@ Eigen::Matrix<double, 4, 7> side_matrix(const Subtriangle& k, const Material& ma
 
 /// The parts of a block; a1 is the block's centroid, the side a2 a3 that of the block.
 std::array<Subtriangle, 3> parts(const Triangle& t) {
-  const Plane centroid = (t[0] + t[1] + t[2]) / 3;
+  const scene::Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   std::array<Subtriangle, 3> result;
   for (int k = 0; k < 3; ++k) result[k] = subtriangle({centroid, t[(k + 1) % 3], t[(k + 2) % 3]});
   return result;
@@ -88,10 +87,10 @@ struct Case {
   Material material;
 };
 std::vector<Case> cases() {
-  return {{{Plane(0, 0), Plane(1, 0), Plane(0, 1)}, {1, 0.3, true, 1}},
-          {{Plane(2, 1), Plane(5, 1.5), Plane(3, 4)}, {2.1e5, 0.3, false, 1e5}},
-          {{Plane(0, 0), Plane(1, 0), Plane(0.5, 0.02)}, {3, 0.499, false, 2}},
-          {{Plane(0, 0), Plane(1e-6, 0), Plane(3e-7, 2e-6)}, {1e-3, -0.5, true, 7}}};
+  return {{{scene::Vector<2>(0, 0), scene::Vector<2>(1, 0), scene::Vector<2>(0, 1)}, {1, 0.3, true, 1}},
+          {{scene::Vector<2>(2, 1), scene::Vector<2>(5, 1.5), scene::Vector<2>(3, 4)}, {2.1e5, 0.3, false, 1e5}},
+          {{scene::Vector<2>(0, 0), scene::Vector<2>(1, 0), scene::Vector<2>(0.5, 0.02)}, {3, 0.499, false, 2}},
+          {{scene::Vector<2>(0, 0), scene::Vector<2>(1e-6, 0), scene::Vector<2>(3e-7, 2e-6)}, {1e-3, -0.5, true, 7}}};
 }
 
 /// A mode of ours in the parameters of the three parts, and the largest misfit of its nine corners, by its largest.

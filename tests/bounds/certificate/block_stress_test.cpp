@@ -13,7 +13,7 @@ namespace bracket::bounds {
 namespace {
 
 using scene::Vector;
-template <class Number> using Triangle = std::array<Plane<Number>, 3>;
+template <class Number> using Triangle = std::array<Vector2<Number>, 3>;
 template <class Number> using Loads = std::array<SideLoad<Number>, 3>;
 
 class Random {
@@ -52,8 +52,8 @@ template <class Number> Triangle<Number> seen_from_first(const std::array<Vector
   return {between<Number>(t[0], t[0]), between<Number>(t[0], t[1]), between<Number>(t[0], t[2])};
 }
 
-template <class Number> Resultant<Number> total(const Triangle<Number>& x, const Loads<Number>& load) {
-  Resultant<Number> sum;
+template <class Number> Wrench<Number> total(const Triangle<Number>& x, const Loads<Number>& load) {
+  Wrench<Number> sum;
   for (int i = 0; i < 3; ++i) {
     const auto part = resultant(load[i], x[i], x[(i + 1) % 3] - x[i]);
     sum.force = sum.force + part.force;
@@ -66,25 +66,25 @@ template <class Number> Resultant<Number> total(const Triangle<Number>& x, const
 Loads<Exact> balanced_loads(Random& random, const Triangle<Exact>& x) {
   Loads<Exact> load;
   for (auto& side : load)
-    for (auto& end : side) end = plane<Exact>(random.point());
-  const Resultant<Exact> rest = total(x, load);
+    for (auto& end : side) end = vector2<Exact>(random.point());
+  const Wrench<Exact> rest = total(x, load);
   const auto balance = load_with({-rest.force, -rest.moment}, x[2], x[0] - x[2]);
   for (int end = 0; end < 2; ++end) load[2][end] = load[2][end] + balance[end];
   return load;
 }
 
 /// σ (n ds)
-template <class Number> Plane<Number> on_normal(const std::array<Number, 3>& s, const Plane<Number>& n) {
+template <class Number> Vector2<Number> on_normal(const std::array<Number, 3>& s, const Vector2<Number>& n) {
   return {s[0] * n.x + s[2] * n.y, s[2] * n.x + s[1] * n.y};
 }
 
-bool equal(const Plane<Exact>& a, const Plane<Exact>& b) { return a.x == b.x && a.y == b.y; }
+bool equal(const Vector2<Exact>& a, const Vector2<Exact>& b) { return a.x == b.x && a.y == b.y; }
 
-TEST(Resultant, is_that_of_the_load_whose_it_is) {
+TEST(Wrench, is_that_of_the_load_whose_it_is) {
   Random random(2);
   for (int trial = 0; trial < 20; ++trial) {
-    const auto arm = plane<Exact>(random.point()), e = plane<Exact>(random.point());
-    const SideLoad<Exact> load = {plane<Exact>(random.point()), plane<Exact>(random.point())};
+    const auto arm = vector2<Exact>(random.point()), e = vector2<Exact>(random.point());
+    const SideLoad<Exact> load = {vector2<Exact>(random.point()), vector2<Exact>(random.point())};
     const auto sum = resultant(load, arm, e);
     // Simpson's rule, exact for the moment of a linear load.
     const Exact two(2), four(4), six(6);
@@ -104,16 +104,17 @@ TEST(BlockStress, is_in_equilibrium_inside_and_with_the_side_loads_exactly) {
     const auto x = seen_from_first<Exact>(t);
     const auto load = balanced_loads(random, x);
     const auto stress = stress_of_balanced(x, load);
-    const Plane<Exact> centroid = (Exact(1) / Exact(3)) * (x[0] + x[1] + x[2]);
+    const Vector2<Exact> centroid = (Exact(1) / Exact(3)) * (x[0] + x[1] + x[2]);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
-      const Plane<Exact> n = -turned(x[j] - x[i]), inner = -turned(centroid - x[j]), before = -turned(x[i] - centroid);
+      const Vector2<Exact> n = -turned(x[j] - x[i]), inner = -turned(centroid - x[j]),
+                           before = -turned(x[i] - centroid);
       EXPECT_TRUE(equal(on_normal(stress[i][0], n), load[i][0]));
       EXPECT_TRUE(equal(on_normal(stress[i][1], n), load[i][1]));
       EXPECT_TRUE(equal(on_normal(stress[i][1], inner), on_normal(stress[j][0], inner)));
       EXPECT_TRUE(equal(on_normal(stress[i][2], inner), on_normal(stress[j][2], inner)));
       // The divergence of a linear field: each corner's value times the normal opposite to it.
-      const Plane<Exact> divergence =
+      const Vector2<Exact> divergence =
           on_normal(stress[i][0], inner) + on_normal(stress[i][1], before) + on_normal(stress[i][2], n);
       EXPECT_TRUE(equal(divergence, {}));
     }

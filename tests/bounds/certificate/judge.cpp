@@ -13,11 +13,11 @@ ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const Pla
   const auto supports = vertex_supports(problem);
   ExactDisplacement u;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    u.vertex.push_back(plane<Exact>(field.vertex[v]) + shift<Exact>(supports[v], field.vertex[v]));
+    u.vertex.push_back(vector2<Exact>(field.vertex[v]) + shift<Exact>(supports[v], field.vertex[v]));
   for (const auto& [a, b] : mesh.edges) u.edge.push_back(half * (u.vertex[a] + u.vertex[b]));
   if (field.bubble.empty()) return u;
   std::vector<Point> bubbles;
-  for (const auto& w : field.bubble) bubbles.push_back(plane<Exact>(w));
+  for (const auto& w : field.bubble) bubbles.push_back(vector2<Exact>(w));
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support == Support::sliding) {
       Point& w = bubbles[mesh.boundary[f].edge];
@@ -33,8 +33,8 @@ ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact
   ExactStress stress;
   stress.added = added;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    Block<Exact> cell = block(problem, loads, static_cast<int>(c));
-    const Point force = plane<Exact>(problem.bodies[mesh.cell_body[c]].force);
+    LoadedCell<Exact> cell = loaded_cell(problem, loads, static_cast<int>(c));
+    const Point force = vector2<Exact>(problem.bodies[mesh.cell_body[c]].force);
     // −(F_x y, F_y x) as shear stress and its like: −(0, 0, F_x y + F_y x) has the divergence −F.
     const auto carried = [&](const Point& x) {
       return ExactVoigt{Exact(0), Exact(0), -(force.x * x.y + force.y * x.x)};
@@ -62,7 +62,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactDis
     const OnFacet on = displacement_on(mesh, u, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
       fixed[mesh.boundary[f].vertices[i]] = 1;
-      if (!is_zero(on[i] - plane<Exact>(data.displacement[i]))) result.push_back(fmt::format("fixed facet {}", f));
+      if (!is_zero(on[i] - vector2<Exact>(data.displacement[i]))) result.push_back(fmt::format("fixed facet {}", f));
     }
     if (!is_zero(on[0] + on[1] - Exact(2) * on[2])) result.push_back(fmt::format("middle of fixed facet {}", f));
   }
@@ -70,7 +70,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactDis
     const auto& data = problem.facets[f];
     if (data.support != Support::sliding) continue;
     const OnFacet on = displacement_on(mesh, u, static_cast<int>(f));
-    const Point n = plane<Exact>(data.normal);
+    const Point n = vector2<Exact>(data.normal);
     for (int i = 0; i < 2; ++i)  // where a fixed facet begins, that one rules
       if (!fixed[mesh.boundary[f].vertices[i]] && dot(on[i], n) != Exact(data.normal_displacement[i]))
         result.push_back(fmt::format("sliding facet {}", f));
@@ -107,7 +107,7 @@ void check_cells(const scene::Problem<2>& problem, const ExactStress& stress, st
     const auto& s = stress.cell[c];
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
-      if (!in_equilibrium(s[i], {x[i], x[j], centroid}, plane<Exact>(problem.bodies[mesh.cell_body[c]].force)))
+      if (!in_equilibrium(s[i], {x[i], x[j], centroid}, vector2<Exact>(problem.bodies[mesh.cell_body[c]].force)))
         result.push_back(fmt::format("no equilibrium in cell {}", c));
       const Point inner = outward(centroid - x[j]);  // between the parts i and j
       for (int k = 1; k < 3; ++k)
@@ -138,7 +138,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
       if (data.support == Support::traction && !is_zero(load[i] - given[i]))
         result.push_back(fmt::format("traction on facet {}", f));
       if ((data.support == Support::sliding || data.support == Support::contact) &&
-          !is_zero(cross(load[i], plane<Exact>(data.normal))))
+          !is_zero(cross(load[i], vector2<Exact>(data.normal))))
         result.push_back(fmt::format("shear on facet {}", f));
     }
   }

@@ -12,8 +12,8 @@ namespace bracket::bounds {
 
 /// A field that is quadratic on each cell.
 struct ExactDisplacement {
-  std::vector<Plane<Exact>> vertex;  ///< at Mesh::vertices
-  std::vector<Plane<Exact>> edge;    ///< at the midpoints of Mesh::edges
+  std::vector<Vector2<Exact>> vertex;  ///< at Mesh::vertices
+  std::vector<Vector2<Exact>> edge;    ///< at the midpoints of Mesh::edges
 };
 /// The field that the certificate's numbers stand for.
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field);

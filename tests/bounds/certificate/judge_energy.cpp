@@ -85,7 +85,7 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
       ExactVoigt middle = {half, half, half};
       middle[k] = Exact(0);
       const ExactVoigt e = strain(mesh, u, static_cast<int>(c), middle);
-      density += half * dot(e, times(hooke, e)) - dot(plane<Exact>(body.force), u.edge[mesh.cell_edges[c][k]]);
+      density += half * dot(e, times(hooke, e)) - dot(vector2<Exact>(body.force), u.edge[mesh.cell_edges[c][k]]);
     }
     result += third * area(corners_of(mesh, static_cast<int>(c))) * density;
   }

@@ -6,7 +6,7 @@
 /// What the judge's files share: exact geometry of cells, and fields on facets.
 namespace bracket::bounds {
 
-using Point = Plane<Exact>;
+using Point = Vector2<Exact>;
 using Corners = std::array<Point, 3>;
 
 inline const Exact half(Rational(1, 2)), third(Rational(1, 3));
@@ -15,7 +15,7 @@ inline bool is_zero(const Point& v) { return is_zero(v.x) && is_zero(v.y); }
 
 inline Corners corners_of(const scene::Mesh<2>& mesh, int cell) {
   Corners x;
-  for (int k = 0; k < 3; ++k) x[k] = plane<Exact>(mesh.vertices[mesh.cells[cell][k]]);
+  for (int k = 0; k < 3; ++k) x[k] = vector2<Exact>(mesh.vertices[mesh.cells[cell][k]]);
   return x;
 }
 
@@ -82,7 +82,7 @@ inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<C
   OnFacet result;
   if (!data.traction[0].isZero(0) || !data.traction[1].isZero(0)) {
     const Exact length = root(dot(side, side));
-    for (int i = 0; i < 2; ++i) result[i] = length * plane<Exact>(data.traction[i]);
+    for (int i = 0; i < 2; ++i) result[i] = length * vector2<Exact>(data.traction[i]);
   }
   for (int i = 0; i < 2; ++i) result[i] = result[i] - Exact(data.pressure[i]) * outward(side);
   for (const auto& [at_facet, load] : added)
@@ -94,7 +94,7 @@ inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<C
 /// On a contact facet, at its first side's vertices and in the middle: r = (u' − u'')·d; so too g and p.
 inline ExactVoigt approach(const scene::Problem<2>& problem, const ExactDisplacement& u,
                            const scene::ContactFacet& pair) {
-  const Point d = plane<Exact>(problem.facets[pair.first].normal);
+  const Point d = vector2<Exact>(problem.facets[pair.first].normal);
   const OnFacet first = displacement_on(problem.mesh, u, pair.first);
   ExactVoigt r = {dot(first[0], d), dot(first[1], d), dot(first[2], d)};
   if (pair.second < 0) return r;
@@ -109,7 +109,7 @@ inline ExactVoigt gap(const scene::ContactFacet& pair) {
 
 inline ExactVoigt pressure(const scene::Problem<2>& problem, const ExactStress& stress,
                            const scene::ContactFacet& pair) {
-  const Point d = plane<Exact>(problem.facets[pair.first].normal);
+  const Point d = vector2<Exact>(problem.facets[pair.first].normal);
   const OnFacet load = load_on(problem.mesh, stress, pair.first);
   ExactVoigt p;
   for (int i = 0; i < 3; ++i) p[i] = -dot(load[i], d) / dot(d, d);
