@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "scene/voigt.h"
+
 namespace bracket::apps {
 
 scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int edge) {
@@ -30,8 +32,8 @@ std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
   const scene::Vector<2> d = problem.facets[facet].normal;
   std::array<double, 2> pressure;
   for (int end = 0; end < 2; ++end) {
-    const auto& s = stress[(at.local + 1 + end) % 3];  // edge k runs from vertex k+1 to k+2
-    pressure[end] = -(s[0] * d.x() * d.x() + s[1] * d.y() * d.y() + 2 * s[2] * d.x() * d.y());
+    const int vertex = scene::Simplex<2>::facets[at.local][end];
+    pressure[end] = -scene::traction<2>(stress[vertex], d).dot(d);
   }
   return pressure;
 }
