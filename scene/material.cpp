@@ -12,7 +12,7 @@ namespace bracket::scene {
 
 namespace {
 
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double tolerance = 64 * std::numeric_limits<double>::epsilon();
 
 /// Scaled to a unit diagonal: the shear and the normal entries may differ by orders of magnitude.
 Voigt<2> unit_scale(const Elasticity<2>& stiffness) { return stiffness.diagonal().cwiseSqrt().cwiseInverse(); }
@@ -66,14 +66,14 @@ std::optional<Fault> isotropic_fault(double young, double poisson, Plane plane) 
 
 std::optional<Fault> anisotropic_fault(const Elasticity<2>& stiffness) {
   if (!stiffness.allFinite()) return Fault{{}, "must be finite"};
-  if ((stiffness - stiffness.transpose()).cwiseAbs().maxCoeff() > rounding * stiffness.cwiseAbs().maxCoeff())
+  if ((stiffness - stiffness.transpose()).cwiseAbs().maxCoeff() > tolerance * stiffness.cwiseAbs().maxCoeff())
     return Fault{{}, "is not symmetric"};
   const Elasticity<2> upper = symmetric(stiffness);
   bool definite = (upper.diagonal().array() > 0).all();
   if (definite) {
     const Voigt<2> scale = unit_scale(upper);
     const Elasticity<2> unit = scale.asDiagonal() * upper * scale.asDiagonal();
-    definite = Eigen::SelfAdjointEigenSolver<Elasticity<2>>(unit).eigenvalues()[0] > rounding;
+    definite = Eigen::SelfAdjointEigenSolver<Elasticity<2>>(unit).eigenvalues()[0] > tolerance;
   }
   if (!definite) return Fault{{}, "is not positive definite"};
   if (!inverse(upper).allFinite()) return Fault{{}, "is out of range"};

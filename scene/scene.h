@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/fields.h"
+#include "scene/function.h"
 #include "scene/options.h"
 #include "scene/problem/problem.h"
 #include "scene/problem/refine.h"

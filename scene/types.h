@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -16,8 +15,6 @@ template <int dim> inline constexpr int n_voigt = dim*(dim + 1) / 2;
 template <int dim> using Voigt = Eigen::Matrix<double, n_voigt<dim>, 1>;
 /// A stiffness (stress by strain) or a compliance (strain by stress) in the notation of `Voigt`.
 template <int dim> using Elasticity = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim>>;
-/// A given function of position.
-template <int dim> using Function = std::function<double(const Vector<dim>&)>;
 
 /// How a command ends; the values are the exit statuses of the program.
 enum class Status { done = 0, internal = 1, input = 2, mesh = 3, ill_posed = 4, budget = 5, not_guaranteed = 6 };

@@ -25,7 +25,7 @@ constexpr double poisson = 0.3, slider_young = 2, stop_young = 1;
 constexpr double mean_pressure = 0.1;
 
 scene::Function<2> constant(double value) {
-  return [value](const Vector<2>&) { return value; };
+  return value;
 }
 
 scene::Scene<2> two_blocks(int n) {
@@ -121,7 +121,7 @@ scene::Scene<2> contact_end_scene(int n) {
   scene::Scene<2> scene = two_blocks(n);
   for (const char* side : {"stop.bottom", "stop.right"})
     scene.boundary[side] = {ConditionKind::sliding, {constant(0)}, ""};
-  scene.contact[0].gap = [](const Vector<2>& x) { return 0.2 * x[1] * x[1]; };
+  scene.contact[0].gap = scene::enclosed<2>([](const auto& x) { return 0.2 * x[1] * x[1]; });
   return scene;
 }
 

@@ -93,8 +93,11 @@ Problem<2> with_cells_cut(Problem<2> problem, const std::array<double, 3>& point
 }
 
 Problem<2> flattened(scene::Scene<2> scene, double factor) {
-  const auto before = [factor](const scene::Function<2>& f) {
-    return [f, factor](const Vector<2>& x) { return f({x[0], x[1] / factor}); };
+  const auto before = [factor](const scene::Function<2>& f) -> scene::Function<2> {
+    const auto at_points = [f, factor](const Vector<2>& x) { return f(Vector<2>(x[0], x[1] / factor)); };
+    using Range = scene::Function<2>::Range;
+    if (!f.is_enclosed()) return at_points;
+    return {at_points, [f, factor](const Range& x) { return f.over(Range{x[0], x[1] / factor}); }};
   };
   for (auto& [name, condition] : scene.boundary)
     for (scene::Function<2>& f : condition.value) f = before(f);

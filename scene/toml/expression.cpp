@@ -2,23 +2,17 @@
 #include "scene/toml/expression.h"
 
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <memory>
-#include <numbers>
 
 #include "scene/text.h"
+#include "scene/toml/formula.h"
 
 namespace bracket::scene {
 
 namespace {
 
-struct Formula {
-  mu::Parser parser;
-  double x = 0, y = 0;  // the parser holds their addresses: a Formula stays where it was made
-};
-
-/// Whether there is a '=' that is not part of ==, !=, <=, >=: muParser would assign, and most likely == was meant.
+/// Whether there is a '=' that is not part of ==, !=, <=, >=: most likely == was meant.
 bool assigns(const std::string& formula) {
   for (std::size_t i = 0; i < formula.size(); ++i) {
     if (formula[i] != '=') continue;
@@ -34,27 +28,17 @@ bool assigns(const std::string& formula) {
 }  // namespace
 
 Function<2> parse_expression(const std::string& formula, const std::string& where) {
-  const auto refuse = [&](const std::string& reason) {
+  const auto refuse = [&] [[noreturn]] (const std::string& reason) {
     fail(Status::input, where, fmt::format("in the expression \"{}\": {}", formula, reason));
   };
   if (assigns(formula)) refuse("'=' assigns; compare with '=='");
-  auto compiled = std::make_shared<Formula>();
   try {
-    compiled->parser.DefineVar("x", &compiled->x);
-    compiled->parser.DefineVar("y", &compiled->y);
-    compiled->parser.DefineConst("pi", std::numbers::pi);
-    compiled->parser.DefineConst("e", std::numbers::e);
-    compiled->parser.SetExpr(formula);
-    compiled->parser.Eval();  // only this finds unknown names
-  } catch (const mu::ParserError& error) {
-    refuse(error.GetMsg());
+    const auto steps = std::make_shared<const std::vector<Step>>(parse_formula(formula));
+    return {[steps](const Vector<2>& at) { return evaluate(*steps, at[0], at[1]); },
+            [steps](const Function<2>::Range& over) { return evaluate(*steps, over[0], over[1]); }};
+  } catch (const std::string& reason) {
+    refuse(reason);
   }
-  if (compiled->parser.GetNumResults() != 1) refuse("one value is expected, not a list");
-  return [compiled](const Vector<2>& point) {
-    compiled->x = point[0];
-    compiled->y = point[1];
-    return compiled->parser.Eval();
-  };
 }
 
 }  // namespace bracket::scene

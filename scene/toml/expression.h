@@ -5,8 +5,8 @@
 
 namespace bracket::scene {
 
-/// A formula in x and y, with pi and e, as a function: "c ? a : b", ^, sin, sqrt and so on as muParser has them. The
-/// function is not to be called from several threads at once.
+/// A formula in x and y, with pi and e, as an enclosed function, in the language of scene/toml/formula.h. Numbers stand
+/// for the doubles nearest to them.
 /// \throw Error (input), at `where`, if it is not one formula, names something unknown or assigns
 Function<2> parse_expression(const std::string& formula, const std::string& where);
 

@@ -136,7 +136,7 @@ Function<2> function(const toml::node& node, const std::string& name) {
   if (!node.is_number()) {
     refuse(node, fmt::format("{} must be a number or an expression in x and y, not {}", name, type_of(node)));
   }
-  return [value = number(node, name)](const Vector<2>&) { return value; };
+  return number(node, name);
 }
 
 }  // namespace bracket::scene

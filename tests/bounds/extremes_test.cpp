@@ -43,7 +43,7 @@ TEST(Extremes, contrast_and_nearly_incompressible_bodies) {
 scene::Scene<2> in_units(double length, double force) {
   const double modulus = force / length;  // so are tractions
   const auto times = [&](double by, auto given) {
-    return [=](const scene::Vector<2>& x) { return by * given(x / length); };
+    return scene::enclosed<2>([=](const auto& x) { return by * given(std::array{x[0] / length, x[1] / length}); });
   };
   scene::Scene<2> s;
   s.blocks = {tests::block("lower", 0, length, 0, length, 3, 4),

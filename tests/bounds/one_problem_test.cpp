@@ -21,10 +21,10 @@ scene::Scene<2> bent(double common, double strain, bool gap) {
   s.bodies = {{"b", scene::isotropic<2>(1, 0, scene::Plane::strain)}};
   s.boundary = {{"b.left", tests::sliding(-common)}};
   if (gap)
-    s.contact = {{"b.right", "rigid", [=](const Vector<2>& x) { return common - strain * x[1]; }, ""}};
+    s.contact = {{"b.right", "rigid", scene::enclosed<2>([=](const auto& x) { return common - strain * x[1]; }), ""}};
   else
     s.boundary["b.right"] = {
-        scene::ConditionKind::sliding, {[=](const Vector<2>& x) { return common + strain * x[1]; }}, ""};
+        scene::ConditionKind::sliding, {scene::enclosed<2>([=](const auto& x) { return common + strain * x[1]; })}, ""};
   return s;
 }
 

@@ -75,7 +75,7 @@ TEST(Exact, units_do_not_matter) {
       auto scene = linear_pressure(
           {.young_lower = force / (length * length), .young_upper = 2 * force / (length * length)}, 4, 2);
       scene.boundary["upper.top"] =
-          pressure([=](const Vector<2>& x) { return force / (length * length) * (1 - 0.5 * x[0] / length); });
+          pressure(scene::enclosed<2>([=](const auto& x) { return force / (length * length) * (1 - 0.5 * x[0] / length); }));
       for (auto& b : scene.blocks)
         for (auto& range : b.range)
           for (double& x : range) x *= length;

@@ -28,7 +28,7 @@ Case from_file(const std::string& name) {
 /// Supports and loads of all kinds, floating bodies, walls, inclined contact, weight, unlike moduli.
 std::vector<Case> cases() {
   scene::Scene<2> raised = two_blocks(2, 0.02);
-  raised.contact[0].gap = [](const Vector<2>& x) { return 0.01 * x[0]; };
+  raised.contact[0].gap = scene::enclosed<2>([](const auto& x) { return 0.01 * x[0]; });
   LinearPressure unlike;
   unlike.young_upper = 20;
   return {{"patch", balanced(patch(1e6, 0.3, 0.01, 3))},
@@ -132,7 +132,7 @@ TEST(Uzawa, ends_with_a_reason_where_no_pressure_of_the_mesh_balances_the_loads)
   scene::Scene<2> s;
   s.blocks = {block("b", 0, 1, 0, 1, 1, 1)};
   s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
-  s.boundary = {{"b.top", traction(constant(0), [](const Vector<2>& x) { return x[0] - 2.0 / 3; })}};
+  s.boundary = {{"b.top", traction(constant(0), scene::enclosed<2>([](const auto& x) { return x[0] - 2.0 / 3; }))}};
   s.contact = {{"b.bottom", "rigid", constant(0), ""}};
   s.solve.dual = scene::Dual::uzawa;
   const auto outcome = bounds::run(s);

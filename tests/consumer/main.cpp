@@ -12,15 +12,14 @@
 using namespace bracket;
 
 int main() {
-  const auto constant = [](double value) { return [value](const scene::Vector<2>&) { return value; }; };
 
   scene::Scene<2> scene;
   scene.blocks = {{"block", {{{0, 2}, {0, 1}}}, {4, 2}}};
   scene.bodies = {{"block", scene::isotropic<2>(210e3, 0.3, scene::Plane::strain)}};
-  scene.boundary["block.left"] = {scene::ConditionKind::sliding, {constant(0)}};
+  scene.boundary["block.left"] = {scene::ConditionKind::sliding, {0}};
   scene.boundary["block.top"] = {scene::ConditionKind::pressure,
-                                 {[](const scene::Vector<2>& x) { return x[0] < 0.5 ? 100.0 : 0.0; }}};
-  scene.contact = {{"block.bottom", "rigid", constant(0)}};
+                                 {scene::enclosed<2>([](const auto& x) { return scene::choose(x[0] < 0.5, 100, 0); })}};
+  scene.contact = {{"block.bottom", "rigid", 0}};
   scene.refine = {.strategy = scene::Strategy::adaptive, .target = 0.01};
 
   try {

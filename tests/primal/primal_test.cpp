@@ -139,7 +139,7 @@ TEST(ContactRows, what_is_prescribed_is_refused_at_its_place_without_a_solve) {
   for (const int degree : {1, 2}) EXPECT_EQ(refusal(degree), "");
   // Both ends of a facet held: a line between them meets the wall in the middle, a parabola need not.
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
-  scene.contact[0].gap = [](const Vector<2>& x) { return 0.01 - x[0] * (1 - x[0]); };
+  scene.contact[0].gap = scene::enclosed<2>([](const auto& x) { return 0.01 - x[0] * (1 - x[0]); });
   EXPECT_NE(refusal(1).find("at (0.5, 0)"), std::string::npos) << refusal(1);
   EXPECT_EQ(refusal(2), "");
 }
@@ -159,7 +159,7 @@ TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
   scene.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
-  scene.contact = {{"b.bottom", "rigid", [](const Vector<2>& x) { return -x[0] * (1 - x[0]); }, ""}};
+  scene.contact = {{"b.bottom", "rigid", scene::enclosed<2>([](const auto& x) { return -x[0] * (1 - x[0]); }), ""}};
   scene.boundary = {{"b.top", tests::fixed(0, 0)}};
   const auto problem = tests::problem(scene);
   for (const int degree : {1, 2}) {

@@ -88,7 +88,7 @@ TEST(BadScene, IsRefusedWithItsPlace) {
       {"sliding = 0.0", "sliding = nan", {"finite"}},
       {"fixed = [0.0, 0.0]", "fixed = 0", {"boundary.\"lower.bottom\".fixed", "list of 2"}},
       {"fixed = [0.0, 0.0]", "fixed = [0.0, true]", {":22:15", "not a boolean"}},
-      {"\"0\", \"x", "\"2*z\", \"x", {":26:13", "2*z", "\"z\""}},
+      {"\"0\", \"x", "\"2*z\", \"x", {":26:13", "2*z", "'z'"}},
       {"\"0\", \"x", "\"2*(x\", \"x", {":26:13", "2*(x"}},
       {"\"0\", \"x", "\"\", \"x", {":26:13", "expression"}},
       {"\"0\", \"x", "\"1, 2\", \"x", {"one value"}},

@@ -65,12 +65,12 @@ TEST(Interpolation, QuadraticIsExactForQuadraticFunctions) {
 }
 
 TEST(Data, ReachTheFacetsTheyAreGivenFor) {
-  const Function<2> x = [](const Vector<2>& at) { return at[0]; };
+  const auto x = enclosed<2>([](const auto& at) { return at[0]; });
   Scene<2> scene = stacked(4, {{"a.bottom", {ConditionKind::fixed, {constant(0), x}, ""}},
                                {"a.left", {ConditionKind::traction, {constant(2), constant(0.1)}, ""}},
                                {"b.right", {ConditionKind::pressure, {constant(0.3)}, ""}},
                                {"b.left", {ConditionKind::sliding, {constant(-0.2)}, ""}}});
-  scene.contact[0].gap = [](const Vector<2>& at) { return at[0] * at[0]; };
+  scene.contact[0].gap = enclosed<2>([](const auto& at) { return at[0] * at[0]; });
   const Problem<2> problem = fixed(scene);
   EXPECT_NEAR(problem.length_scale, std::sqrt(5.0), 1e-15);
   for (std::size_t i = 0; i < problem.facets.size(); ++i) {

@@ -137,7 +137,7 @@ std::string gmsh_4(const GmshContent& content) {
 }
 
 Function<2> constant(double value) {
-  return [value](const Vector<2>&) { return value; };
+  return value;
 }
 
 Scene<2> stacked(int cells, std::map<std::string, Condition<2>> boundary) {

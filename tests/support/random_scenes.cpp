@@ -23,10 +23,10 @@ struct Polynomial {
   Vector<2> t = Vector<2>::Zero();
   Vector<2> x0 = Vector<2>::Zero();
 
-  double operator()(const Vector<2>& x) const {
-    const Vector<2> d = x - x0;
-    const double s = t.dot(d);
-    return c + a.dot(d) + b * s * s;
+  auto operator()(const auto& x) const {
+    const auto dx = x[0] - x0[0], dy = x[1] - x0[1];
+    const auto s = t[0] * dx + t[1] * dy;
+    return c + a[0] * dx + a[1] * dy + b * s * s;
   }
   std::string text() const {
     std::string result = fmt::format("{}", c);
@@ -108,7 +108,7 @@ Polynomial random_gap(Making& making, const Vector<2>& from, const Vector<2>& to
 
 void add_contact(Making& making, const std::string& first, const std::string& second, const Polynomial& gap) {
   making.say(fmt::format("contact {} on {}, gap {}", first, second, gap.text()));
-  making.made.scene.contact.push_back({first, second, gap, ""});
+  making.made.scene.contact.push_back({first, second, scene::enclosed<2>(gap), ""});
 }
 
 void add_condition(Making& making, const std::string& part, ConditionKind kind, const std::vector<Polynomial>& value) {
@@ -117,7 +117,7 @@ void add_condition(Making& making, const std::string& part, ConditionKind kind, 
   scene::Condition<2> condition{kind, {}, ""};
   for (const Polynomial& p : value) {
     line += fmt::format(" [{}]", p.text());
-    condition.value.push_back(p);
+    condition.value.push_back(scene::enclosed<2>(p));
   }
   making.say(line);
   making.made.scene.boundary.emplace(part, std::move(condition));

@@ -12,7 +12,7 @@ using scene::ConditionKind;
 using scene::Vector;
 
 inline scene::Function<2> constant(double value) {
-  return [value](const Vector<2>&) { return value; };
+  return value;
 }
 
 inline scene::Condition<2> fixed(double x, double y) { return {ConditionKind::fixed, {constant(x), constant(y)}, ""}; }
@@ -55,7 +55,7 @@ inline scene::Scene<2> linear_pressure(const LinearPressure& p, int nx, int ny) 
   s.bodies = {{"lower", scene::isotropic<2>(p.young_lower, p.poisson, scene::Plane::strain)},
               {"upper", scene::isotropic<2>(p.young_upper, p.poisson, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", sliding(0)},
-                {"upper.top", pressure([p](const Vector<2>& x) { return p.p0 * (1 - p.c * x[0]); })}};
+                {"upper.top", pressure(scene::enclosed<2>([p](const auto& x) { return p.p0 * (1 - p.c * x[0]); }))}};
   return s;
 }
 
@@ -67,7 +67,7 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
               {"upper", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", fixed(0, 0)},
                 {"upper.left", sliding(0)},
-                {"upper.top", traction(constant(0), [pull](const Vector<2>& x) { return x[0] < 0.5 ? -0.1 : pull; })}};
+                {"upper.top", traction(constant(0), scene::enclosed<2>([pull](const auto& x) { return scene::choose(x[0] < 0.5, -0.1, pull); }))}};
   s.contact = {{"upper.bottom", "lower.top", constant(0), ""}};
   return s;
 }
@@ -82,9 +82,9 @@ inline scene::Scene<2> everything(int nx, int ny_lower, int ny_upper) {
   s.bodies.at("lower").force = {0.01, -0.05};
   s.boundary = {{"lower.left", sliding(-0.02)},
                 {"upper.right", fixed(0.01, -0.03)},
-                {"upper.top", traction([](const auto& x) { return 0.01 * x[0]; }, constant(-0.05))}};
-  s.contact = {{"upper.bottom", "lower.top", [](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }, ""},
-               {"lower.bottom", "rigid", [](const auto& x) { return 0.01 * x[0] * x[0]; }, ""}};
+                {"upper.top", traction(scene::enclosed<2>([](const auto& x) { return 0.01 * x[0]; }), constant(-0.05))}};
+  s.contact = {{"upper.bottom", "lower.top", scene::enclosed<2>([](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }), ""},
+               {"lower.bottom", "rigid", scene::enclosed<2>([](const auto& x) { return 0.01 * x[0] * x[0]; }), ""}};
   return s;
 }
 
@@ -98,8 +98,8 @@ inline scene::Scene<2> smooth(int n) {
   compliance << 1, -0.3, 0, -0.3, 1, 0, 0, 0, 0.6;
   s.bodies = {{"b", scene::anisotropic<2>(compliance.inverse())}};
   s.boundary = {
-      {"b.right", traction(constant(2), [](const Vector<2>& x) { return -4 * x[1]; })},
-      {"b.top", traction([](const Vector<2>& x) { return -4 * x[0]; }, constant(2))},
+      {"b.right", traction(constant(2), scene::enclosed<2>([](const auto& x) { return -4 * x[1]; }))},
+      {"b.top", traction(scene::enclosed<2>([](const auto& x) { return -4 * x[0]; }), constant(2))},
   };
   return s;
 }

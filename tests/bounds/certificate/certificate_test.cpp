@@ -237,7 +237,7 @@ scene::Problem<2> random_problem(std::mt19937& generator) {
   else
     s.contact.push_back({"lower.bottom", "rigid", tests::constant(uniform(0.3, 0.4)), ""});
   const double bend = uniform(-0.1, 0.2);
-  s.contact[0].gap = [bend](const Vector<2>& x) { return bend * x[0] * x[0] + 0.2 * std::abs(bend); };
+  s.contact[0].gap = scene::enclosed<2>([bend](const auto& x) { return bend * x[0] * x[0] + 0.2 * std::abs(bend); });
   auto mesh = scene::build_mesh(s);
   const double stretch = uniform(0.3, 1), shear = uniform(-0.5, 0.5);
   const Eigen::Rotation2Dd turn(one_of(3) == 0 ? 0 : uniform(0, 6));
