@@ -54,5 +54,11 @@ Jet along(const Function<dim>& f, const Vector<dim>& a, const Vector<dim>& b, do
   for (int i = 0; i < dim; ++i) x[i] = linear(a[i], b[i], from, to);
   return f.over(x);
 }
+/// The same just after a point (side 1) or before it (−1).
+template <int dim> Jet beside(const Function<dim>& f, const Vector<dim>& a, const Vector<dim>& b, double at, int side) {
+  typename Function<dim>::Range x;
+  for (int i = 0; i < dim; ++i) x[i] = linear_beside(a[i], b[i], at, side);
+  return f.over(x);
+}
 
 }  // namespace bracket::scene

@@ -8,12 +8,23 @@ namespace bracket::scene {
 
 namespace {
 
+/// The sign that u has everywhere (but for single points), if it has one: −1, 0, 1.
+std::optional<int> sign_of(const Jet& u) {
+  const Interval &x = u.value(), &slope = u.c[1];
+  if (u.partial || x.is_empty()) return {};
+  const bool monotone = !slope.contains(0);
+  if (x.is_zero() && monotone && u.side != 0) return slope.lower > 0 ? u.side : -u.side;
+  if (x.lower > 0 || (x.lower == 0 && monotone)) return 1;
+  if (x.upper < 0 || (x.upper == 0 && monotone)) return -1;
+  if (x.is_zero() && u.is_constant()) return 0;
+  return {};
+}
+
 std::optional<bool> decided(const Jet& condition) {
   if (condition.partial) return {};
-  const Interval& x = condition.value();
-  if (x.is_zero()) return false;
   const bool strictly_monotone = !condition.c[1].contains(0);
-  if (!x.contains(0) || strictly_monotone) return true;
+  if (!condition.value().contains(0) || strictly_monotone) return true;
+  if (condition.value().is_zero() && condition.is_constant()) return false;
   return {};
 }
 
@@ -29,8 +40,13 @@ bool comparable(const Jet& u, const Jet& v) {
 Jet composed(const std::array<Interval, 4>& f, const Jet& u) {
   Jet result{f[0], f[1] * u.c[1], f[1] * u.c[2] + f[2] * square(u.c[1]),
              f[1] * u.c[3] + Interval(2) * f[2] * u.c[1] * u.c[2] + f[3] * u.c[1] * square(u.c[1])};
-  result.partial = u.partial;
-  return result;
+  return made_of(result, u);
+}
+
+Jet made_of(Jet u, const Jet& v) {
+  u.partial = u.partial || v.partial;
+  if (u.side == 0) u.side = v.side;
+  return u;
 }
 
 Jet linear(double a, double b, double from, double to) {
@@ -38,6 +54,12 @@ Jet linear(double a, double b, double from, double to) {
   const Interval slope = Interval(b) - Interval(a);
   const auto at = [&](double t) { return t == 1 ? Interval(b) : Interval(a) + Interval(t) * slope; };
   return {hull(at(from), at(to)), slope, {}, {}};
+}
+
+Jet linear_beside(double a, double b, double at, int side) {
+  Jet result = linear(a, b, at, at);
+  if (a != b) result.side = side;
+  return result;
 }
 
 Jet operator-(const Jet& u) {
@@ -49,16 +71,14 @@ Jet operator-(const Jet& u) {
 Jet operator+(const Jet& u, const Jet& v) {
   Jet sum;
   for (std::size_t i = 0; i < sum.c.size(); ++i) sum.c[i] = u.c[i] + v.c[i];
-  sum.partial = u.partial || v.partial;
-  return sum;
+  return made_of(made_of(sum, u), v);
 }
 Jet operator-(const Jet& u, const Jet& v) { return u + -v; }
 
 Jet operator*(const Jet& u, const Jet& v) {
   Jet product{u.c[0] * v.c[0], u.c[0] * v.c[1] + u.c[1] * v.c[0], u.c[0] * v.c[2] + u.c[1] * v.c[1] + u.c[2] * v.c[0],
               u.c[0] * v.c[3] + u.c[1] * v.c[2] + u.c[2] * v.c[1] + u.c[3] * v.c[0]};
-  product.partial = u.partial || v.partial;
-  return product;
+  return made_of(made_of(product, u), v);
 }
 
 Jet operator/(const Jet& u, const Jet& v) {
@@ -66,45 +86,44 @@ Jet operator/(const Jet& u, const Jet& v) {
   if (v.is_constant() && !y.contains(0)) {
     Jet quotient = u;
     for (Interval& c : quotient.c) c = c / y;
-    quotient.partial = u.partial || v.partial;
-    return quotient;
+    return made_of(quotient, v);
   }
   const Interval inverse = Interval(1) / y;
   Jet result = y.contains(0)
                    ? Jet::rough(u.value() / y)
                    : u * composed({inverse, -square(inverse), inverse * square(inverse), -square(square(inverse))}, v);
   result.c[0] = u.value() / y;
-  result.partial = u.partial || v.partial || y.contains(0);
-  return result;
+  result.partial = y.contains(0);
+  return made_of(made_of(result, u), v);
 }
 
 Jet abs(const Jet& u) {
+  if (const auto known = sign_of(u)) return *known < 0 ? -u : u;
   const Interval& x = u.value();
-  if (x.lower >= 0) return u;
-  if (x.upper <= 0) return -u;
-  Jet result = Jet::rough(x.is_empty() ? x : Interval{0, x.magnitude()});
-  result.partial = u.partial;
-  return result;
+  if (u.side == 0 && x.lower >= 0) return u;
+  if (u.side == 0 && x.upper <= 0) return -u;
+  return made_of(Jet::rough(x.is_empty() ? x : Interval{0, x.magnitude()}), u);
 }
 
 Jet min(const Jet& u, const Jet& v) {
-  if (comparable(u, v) && u.value().upper <= v.value().lower) return u;
-  if (comparable(u, v) && v.value().upper <= u.value().lower) return v;
-  const bool partial = !comparable(u, v);  // of what is not a number the C++ library takes either
   const Interval &x = u.value(), &y = v.value();
-  Jet result = Jet::rough(partial ? hull(x, y) : Interval{std::min(x.lower, y.lower), std::min(x.upper, y.upper)});
-  result.partial = partial;
-  return result;
+  if (comparable(u, v)) {
+    if (const auto known = sign_of(u - v)) return *known > 0 ? v : u;
+    const bool over_range = u.side == 0 && v.side == 0;
+    if (over_range && x.upper <= y.lower) return u;
+    if (over_range && y.upper <= x.lower) return v;
+    return made_of(made_of(Jet::rough({std::min(x.lower, y.lower), std::min(x.upper, y.upper)}), u), v);
+  }
+  Jet result = Jet::rough(hull(x, y));  // of what is not a number the C++ library takes either
+  result.partial = true;
+  return made_of(made_of(result, u), v);
 }
 Jet max(const Jet& u, const Jet& v) { return -min(-u, -v); }
 
 Jet sign(const Jet& u) {
+  if (const auto known = sign_of(u)) return *known;
   const Interval& x = u.value();
   if (u.partial || x.is_empty()) return Jet::rough({-1, 1});  // of what is not a number it is 0
-  if (x.is_zero()) return 0;
-  const bool monotone = !u.c[1].contains(0);
-  if (x.lower > 0 || (x.lower == 0 && monotone)) return 1;
-  if (x.upper < 0 || (x.upper == 0 && monotone)) return -1;
   return Jet::rough({x.lower < 0 ? -1.0L : 0.0L, x.upper > 0 ? 1.0L : 0.0L});
 }
 
@@ -113,19 +132,19 @@ Jet round(const Jet& u) {
   const Interval& x = shifted.value();
   if (x.is_empty()) return u;
   const Real from = std::floor(x.lower), to = std::floor(x.upper);
-  const bool end_only = x.upper == to && from == to - 1 && !u.c[1].contains(0);
-  Jet result = from == to || end_only ? Jet(from) : Jet::rough({from, to});
-  result.partial = u.partial;
-  return result;
+  const Jet steps = shifted - Jet(to);
+  const auto above = sign_of(steps);  // of what reaches the upper step, if at all, at one end
+  if (above && *above < 0 && from >= to - 1) return made_of(Jet(to - 1), u);
+  return made_of(from == to && (x.lower > to || above) ? Jet(to) : Jet::rough({std::min(from, to - 1), to}), u);
 }
 
 Jet operator<(const Jet& u, const Jet& v) {
   if (!comparable(u, v)) return truth({});
   const Interval &x = u.value(), &y = v.value();
-  if (x.lower >= y.upper) return 0;
   if (x.upper < y.lower) return 1;
-  // Equal at single points only, if the difference is strictly monotone.
-  return truth(x.upper == y.lower && !(u - v).c[1].contains(0) ? std::optional(true) : std::nullopt);
+  if (x.lower > y.upper) return 0;
+  if (const auto known = sign_of(u - v)) return *known < 0 ? 1 : 0;
+  return truth(u.side == 0 && v.side == 0 && x.lower >= y.upper ? std::optional(false) : std::nullopt);
 }
 Jet operator<=(const Jet& u, const Jet& v) {
   if (!comparable(u, v)) return truth({});

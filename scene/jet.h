@@ -11,10 +11,12 @@ namespace bracket::scene {
 /// A function of one parameter over a range of it: enclosures of its values there, of its derivative, half its second
 /// and a sixth of its third. Where it is not smooth, or may not be (a branch that is not decided, |x| around 0, √x at
 /// 0), these are unbounded, but its values stay enclosed. So a bounded first derivative means that the function is
-/// continuously differentiable there, and so on. What is told of a comparison holds but for single points.
+/// continuously differentiable there, and so on. What is told of a comparison holds but for single points. A range may
+/// be one point: then the values are the limits from that side of it that `side` names.
 struct Jet {
   std::array<Interval, 4> c;  ///< coefficients of Taylor's series at any point of the range
   bool partial = false;       ///< perhaps not defined everywhere; where it is not, nothing is said of its values
+  int side = 0;  ///< of a range that is one point: 1 just after it, −1 just before; 0: of a constant, a range
 
   Jet() = default;
   Jet(Real constant) : c{Interval(constant), {}, {}, {}} {}
@@ -28,8 +30,13 @@ struct Jet {
   static Jet rough(const Interval& range) { return {range, Interval::whole(), Interval::whole(), Interval::whole()}; }
 };
 
-/// Linear from the value a at 0 to b at 1, over [from, to]; exact at both ends.
+/// Linear from the value a at 0 to b at 1, over [from, to]; exact at 0 and 1.
 Jet linear(double a, double b, double from, double to);
+/// The same just after (side 1) or before (−1) a point.
+Jet linear_beside(double a, double b, double at, int side);
+
+/// u, with `partial` and `side` of what it is made of.
+Jet made_of(Jet u, const Jet& v);
 
 /// f(u), by f and its Taylor coefficients over the values of u.
 Jet composed(const std::array<Interval, 4>& f, const Jet& u);

@@ -19,8 +19,8 @@ Jet composed_within(const Interval& smooth, const Interval& value, const Derivat
     std::copy(d.begin(), d.end(), f.begin() + 1);
   }
   Jet result = composed(f, u);
-  result.partial = u.partial || x.lower < smooth.lower || x.upper > smooth.upper;
-  return result;
+  result.partial = x.lower < smooth.lower || x.upper > smooth.upper;
+  return made_of(result, u);
 }
 
 const Interval positive = {0, Interval::unbounded};
@@ -149,8 +149,7 @@ Jet atan2(const Jet& y, const Jet& x) {
   if (y.value().upper < 0) return -right_angle - atan(x / y);
   Jet result = Jet::rough({-pi().upper, pi().upper});
   if (x.value().is_empty() || y.value().is_empty()) result.c[0] = Interval::none();
-  result.partial = x.partial || y.partial;
-  return result;
+  return made_of(made_of(result, x), y);
 }
 
 Jet sinh(const Jet& u) {

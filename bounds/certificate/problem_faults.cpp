@@ -10,7 +10,7 @@
 
 #include "bounds/certificate/elastic_form.h"
 #include "bounds/certificate/geometry.h"
-#include "scene/problem/refine.h"
+#include "scene/problem/gap.h"
 
 namespace bracket::bounds {
 
@@ -217,6 +217,15 @@ bool coincide(const Problem<2>& problem, const scene::ContactFacet& pair) {
          one.corner[0][0] == 1 - other.corner[1][0] && one.corner[1][0] == 1 - other.corner[0][0];
 }
 
+/// Whether a quadratic lies somewhere above another, by Bernstein coefficients.
+bool certainly_crossing(const std::array<double, 3>& lower, const std::array<double, 3>& upper) {
+  using scene::Interval;
+  std::array<Interval, 3> left;
+  for (int i = 0; i < 3; ++i) left[i] = Interval(upper[i]) - Interval(lower[i]);
+  if (left[0].upper < 0 || left[2].upper < 0) return true;
+  return left[1].upper < 0 && square(left[1]).lower > (left[0] * left[2]).upper;
+}
+
 std::string contact_fault(const Problem<2>& problem) {
   const Problem<2>& first = scene::first_of(problem);
   const std::vector<int> contact_of_facet = scene::contacts_by_first(first);
@@ -232,8 +241,7 @@ std::string contact_fault(const Problem<2>& problem) {
     if (pair.second >= 0 && problem.facets[pair.second].normal != -problem.facets[pair.first].normal)
       return name + " has directions that are not opposite on its two sides";
     if (pair.second >= 0 && !coincide(problem, pair)) return name + " has sides that do not lie on each other";
-    for (int i = 0; i < 3; ++i)
-      if (pair.lower[i] > pair.upper[i]) return name + " has a lower gap above its upper one";
+    if (certainly_crossing(pair.lower, pair.upper)) return name + " has a lower gap above its upper one";
     if (!problem.origin.first) continue;
     const auto& piece = problem.origin.facets[pair.first];
     const int whole = contact_of_facet[piece.of];
@@ -241,7 +249,7 @@ std::string contact_fault(const Problem<2>& problem) {
         (pair.second < 0 ? first.contact[whole].second >= 0
                          : problem.origin.facets[pair.second].of != first.contact[whole].second))
       return name + " is none of the first mesh";
-    const scene::ContactFacet exact = scene::on_piece(first.contact[whole], pair.first, pair.second, piece);
+    const scene::ContactFacet exact = scene::on_piece(first, whole, pair.first, pair.second, piece);
     for (int i = 0; i < 3; ++i)
       if (pair.lower[i] > exact.lower[i] || pair.upper[i] < exact.upper[i])
         return name + " has gaps that do not enclose those of the first mesh";

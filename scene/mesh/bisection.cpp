@@ -4,7 +4,7 @@
 #include <cassert>
 #include <tuple>
 
-#include "scene/enclosure.h"
+#include "scene/problem/gap.h"
 #include "scene/problem/refine.h"
 #include "scene/problem/stretch.h"
 #include "scene/text.h"
@@ -249,26 +249,13 @@ std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const 
 
 }  // namespace
 
-ContactFacet on_piece(const ContactFacet& given, int first, int second, const Piece<1>& piece) {
-  ContactFacet facet{given.pair, first, second, {}, {}};
-  const double from = piece.corner[0][0], to = piece.corner[1][0];
-  const auto cut = [&](const std::array<double, 3>& whole) {
-    return on_stretch(std::array<Enclosure, 3>{whole[0], whole[1], whole[2]}, from, to);
-  };
-  const auto below = cut(given.lower), above = cut(given.upper);
-  for (int i = 0; i < 3; ++i) {
-    facet.lower[i] = lower(below[i]);
-    facet.upper[i] = upper(above[i]);
-  }
-  return facet;
-}
-
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked) {
   static_assert(dim == 2);
   assert(marked.size() == problem.mesh.cells.size());
   assert(problem.mesh.refinement_edge.size() == problem.mesh.cells.size());
   Refined<dim> refined;
   refined.problem.bodies = problem.bodies;
+  refined.problem.sampled = problem.sampled;
   refined.problem.oscillation = problem.oscillation;
   refined.problem.length_scale = problem.length_scale;
   refined.problem.corrections = problem.corrections;
@@ -286,7 +273,7 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
     const int first = problem.contact[i].first, second = problem.contact[i].second;
     const auto add = [&](int one, int other) {
       const Piece<dim - 1>& piece = refined.problem.origin.facets[one];
-      refined.problem.contact.push_back(on_piece(origin.first->contact[contact_of_facet[piece.of]], one, other, piece));
+      refined.problem.contact.push_back(on_piece(*origin.first, contact_of_facet[piece.of], one, other, piece));
       refined.contact_parent.push_back(static_cast<int>(i));
     };
     const int one = first_child[first], other = second == -1 ? -1 : first_child[second];

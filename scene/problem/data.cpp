@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/fault.h"
+#include "scene/problem/gap.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
 #include "scene/problem/projection.h"
@@ -147,6 +148,48 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
   return fixed;
 }
 
+/// Fills in the gaps of the contact.
+Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
+  Extent gap;
+  problem.gaps.resize(problem.contact.size());
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    ContactFacet& facet = problem.contact[i];
+    const ContactPair<2>& pair = scene.contact[facet.pair];
+    const auto& [v, w] = problem.mesh.boundary[facet.first].vertices;
+    const Vector<2>&a = problem.mesh.vertices[v], &b = problem.mesh.vertices[w];
+    if (!pair.gap.is_enclosed()) {
+      const EdgeValues<3> values = interpolate_quadratic(pair.gap, a, b, pair.where);
+      const auto& [start, end, middle] = values.value;
+      facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
+      gap.include(values);
+    } else if (const auto quadratic = quadratic_gap(pair.gap, a, b)) {
+      facet.lower = quadratic->lower;
+      facet.upper = quadratic->upper;
+    } else {
+      problem.gaps[i].function = pair.gap;
+      problem.gaps[i].where = pair.where;
+    }
+  }
+  gap.error = std::max(gap.error, make_room(problem));
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    ContactFacet& facet = problem.contact[i];
+    if (problem.gaps[i].function)
+      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<1>(0));
+    for (const std::array<double, 3>& c : {facet.lower, facet.upper})
+      for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
+  }
+  return gap;
+}
+
+bool samples(const Scene<2>& scene) {
+  const auto sampled = [](const Function<2>& f) { return !f.is_enclosed(); };
+  return std::any_of(scene.boundary.begin(), scene.boundary.end(),
+                     [&](const auto& part) {
+                       return std::any_of(part.second.value.begin(), part.second.value.end(), sampled);
+                     }) ||
+         std::any_of(scene.contact.begin(), scene.contact.end(), [&](const auto& pair) { return sampled(pair.gap); });
+}
+
 double bounding_box_diagonal(const Mesh<2>& mesh) {
   Eigen::AlignedBox2d box;
   for (const Vector<2>& vertex : mesh.vertices) box.extend(vertex);
@@ -195,19 +238,12 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
 
   FixedFacets fixed = fix_facets(problem.mesh, conditions, problem.contact);
   problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
-  Extent gap;
-  for (ContactFacet& facet : problem.contact) {
+  for (const ContactFacet& facet : problem.contact) {
     problem.facets[facet.first].support = Support::contact;
     if (facet.second != -1) problem.facets[facet.second].support = Support::contact;
-    const ContactPair<dim>& pair = scene.contact[facet.pair];
-    const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
-    const EdgeValues<3> values =
-        interpolate_quadratic(pair.gap, problem.mesh.vertices[a], problem.mesh.vertices[b], pair.where);
-    const auto& [start, end, middle] = values.value;
-    facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
-    gap.include(values);
   }
-  gap.error = std::max(gap.error, make_room(problem));
+  const Extent gap = fix_gaps(scene, problem);
+  problem.sampled = samples(scene);
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "scene/function.h"
 #include "scene/material.h"
 #include "scene/mesh/mesh.h"
 
@@ -52,12 +55,22 @@ struct ContactFacet {
   int first;   ///< index into Mesh::boundary; its FacetData::normal is d
   int second;  ///< likewise, its normal is −d; −1: a rigid wall
   /// Bernstein coefficients of two quadratics, from vertex 0 of the first facet to its vertex 1, between which the gap
-  /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only, where
-  /// refinement has cut a parabola, and are equal on the first mesh.
+  /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only where the
+  /// gap is a parabola on the facet of the first mesh.
   std::array<double, 3> lower, upper;
 };
 /// The value of a quadratic with these Bernstein coefficients at the middle of its facet.
 inline double at_middle(const std::array<double, 3>& gap) { return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2])); }
+
+/// A gap that is no quadratic on a facet of the first mesh: each mesh encloses it anew.
+template <int dim> struct GivenGap {
+  Function<dim> function;  ///< on the first side; empty: the gap is the quadratic of the contact facet
+  /// At the facet's ends, where the displacements of both sides are prescribed: their approach, which the lower gap has
+  /// to admit, and by how much the gap was raised to it, quadratically from the other end.
+  std::array<double, dim> at_least = at_vertices<dim>(-std::numeric_limits<double>::infinity());
+  std::array<double, dim> raised = at_vertices<dim>(0.0);
+  std::string where = {};
+};
 
 /// By how much fixing the data on the mesh moved the given functions: largest difference by largest value.
 struct Oscillation {
@@ -104,6 +117,8 @@ template <int dim> struct Problem {
   std::vector<Body<dim>> bodies;       ///< as Mesh::bodies
   std::vector<FacetData<dim>> facets;  ///< as Mesh::boundary
   std::vector<ContactFacet> contact;
+  std::vector<GivenGap<dim>> gaps;  ///< of each contact facet of the first mesh; empty: all are quadratics
+  bool sampled = false;             ///< some function is known at points only: between them the data are a guess
   Oscillation oscillation;
   double length_scale = 1;                   ///< diameter of the bounding box
   std::vector<Correction<dim>> corrections;  ///< of the first mesh's loads, as long as there are motions that nothing

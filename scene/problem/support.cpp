@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "scene/problem/gap.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -86,13 +87,10 @@ std::optional<Prescribed> prescribed(const FacetData<2>& data, int end, const Ve
   return {};
 }
 
-/// Raises a gap that is less than the approach by no more than the tolerance. \return by how much
-double raise(double& gap, long double approach, double tolerance) {
-  if (approach <= gap || approach - gap > tolerance) return 0;
-  const double before = gap;
-  gap = static_cast<double>(approach);
-  if (gap < approach) gap = std::nextafter(gap, std::numeric_limits<double>::infinity());
-  return gap - before;
+/// The least gap that admits an approach: `gap`, or what is not more than the tolerance above it.
+double with_room(double gap, long double approach, double tolerance) {
+  if (approach <= gap || approach - gap > tolerance) return gap;
+  return upper(Interval(approach));
 }
 
 }  // namespace
@@ -104,17 +102,27 @@ double make_room(Problem<2>& problem) {
     return prescribed(problem.facets[facets_at[mesh.boundary[facet].vertices[end]][end]], 1 - end, d);
   };
   double most = 0;
-  for (ContactFacet& facet : problem.contact) {
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    ContactFacet& facet = problem.contact[i];
     const Vector<2>& d = problem.facets[facet.first].normal;
     for (int end = 0; end < 2; ++end) {
       const auto first = at_end(facet.first, end, d);
       const auto second = facet.second == -1 ? Prescribed{} : at_end(facet.second, 1 - end, d);
       if (!first || !second) continue;
-      double& gap = facet.lower[2 * end];
+      GivenGap<2>& given = problem.gaps[i];
+      const auto& [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
+      const double gap = given.function ? lower(gap_at_end(given.function, a, b, end)) : facet.lower[2 * end];
       const double size = first->size + second->size + std::abs(gap) + problem.length_scale;
-      const double raised = raise(gap, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size);
-      facet.upper[2 * end] = gap;
+      const double room =
+          with_room(gap, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size);
+      const double raised = upper(Interval(room) - Interval(gap));
+      given.at_least[end] = std::min(gap, upper(Interval(first->along - second->along)));
+      given.raised[end] = raised;
       if (raised == 0) continue;
+      if (!given.function) {
+        facet.lower[2 * end] = room;
+        facet.upper[2 * end] = std::max(room, facet.upper[2 * end]);
+      }
       most = std::max(most, raised);
       problem.mesh.notes.push_back(
           fmt::format("the gap at {} was raised by {:.2g}: the displacements prescribed there close it by rounding",
