@@ -36,10 +36,11 @@ struct Level {
 /// What a run has found; the fields are those of the last level.
 template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
-  std::string guarantee = "none";  ///< "rounding-safe" or "none"
+  /// "rounding-safe"; "discretisation": as that, but for data of which some are known at points only; "none".
+  std::string guarantee = "none";
   std::string reason;              ///< if there is no guarantee or the budget was spent: one line
   /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are
-  /// nested, so the last upper bound is the least; the stress spaces are not.
+  /// nested, so that where gaps are quadratic the last upper bound is the least; the stress spaces are not.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A

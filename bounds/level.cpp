@@ -7,6 +7,7 @@
 
 #include "bounds/particular.h"
 #include "bounds/unstrained.h"
+#include "scene/problem/gap.h"
 
 namespace bracket::bounds {
 
@@ -105,11 +106,11 @@ template <int dim> std::string contradiction(const Outcome<dim>& earlier, const 
                      crossing ? "" : " and those before exclude each other");
 }
 
-/// By more than what the two certificates added to the energies as computed, and rounding to the solution. That proves
+/// Where refinement nests the cones of admissible displacements: by more than what the two certificates added to the energies as computed, and rounding to the solution. That proves
 /// no bound wrong, but solvers that went astray.
 template <int dim>
 std::string risen(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined) {
-  if (earlier.levels.empty()) return "";
+  if (earlier.levels.empty() || !scene::has_quadratic_gaps(problem)) return "";
   const auto own = [](const Level& of) { return std::abs(of.certificate.upper - of.plain.upper); };
   const Level &level = examined.level, &last = earlier.levels.back();
   const double risen = level.certificate.upper - last.certificate.upper, explained = own(level) + own(last);

@@ -41,7 +41,7 @@ struct Objection {
   bool guaranteed = false;  ///< what the levels before guarantee still holds
 };
 /// That it has no certificate; that its bounds contradict each other or those of earlier levels; that the upper bound
-/// rose although the displacement spaces are nested.
+/// rose although the sets of admissible displacements are nested.
 template <int dim>
 Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined);
 

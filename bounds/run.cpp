@@ -123,7 +123,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         if (!objected.reason.empty())
           return ended(objected.guaranteed ? std::move(outcome) : disowned(std::move(outcome)), refine, objected.reason,
                        true);
-        outcome.guarantee = "rounding-safe";
+        outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
         if (observer.level) observer.level(outcome);
         if (examined.unstrained || reached(outcome, refine.target)) return outcome;
       } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
