@@ -28,7 +28,8 @@ struct Level {
   PlainEnergies plain;
   Certificate certificate;
   Checks checks;
-  double oscillation_energy = 0;  ///< of the data, which the first mesh fixes: see oscillation_energy()
+  double oscillation_energy = 0;  ///< of the data, which the first mesh fixes: see data_effect()
+  std::string oscillation_part;   ///< the boundary part with the largest share of it; empty: there is none
   Seconds seconds;
   contact::Statistics primal, dual;
 };
@@ -38,12 +39,13 @@ template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
   /// "rounding-safe"; "discretisation": as that, but for data of which some are known at points only; "none".
   std::string guarantee = "none";
-  std::string reason;              ///< if there is no guarantee or the budget was spent: one line
+  std::string reason;  ///< if there is no guarantee or the budget was spent: one line
   /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are
   /// nested, so that where gaps are quadratic the last upper bound is the least; the stress spaces are not.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A
+  bool unstrained = false;  ///< the bodies but follow prescribed displacements and gaps; what is left is rounding
   scene::Problem<dim> problem;
   scene::Displacement<dim> displacement;
   scene::Stress<dim> stress;
@@ -67,7 +69,8 @@ template <int dim> struct Observer {
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree);
 
 /// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking
-/// and refinement, until the target or the budget of scene.refine. Where the bodies do but follow the prescribed
+/// and refinement, until the target or the budget of scene.refine. Where the data are not linear on the edges of the
+/// first mesh and that matters, it is refined there first. Where the bodies do but follow the prescribed
 /// displacements and gaps, rigidly and without loads, the bracket is [0, 0] and the first mesh is the last. Where the
 /// memory does not suffice for a level, or no thread can be had for it, the run ends like one whose budget is spent.
 /// \throw scene::Error for all that the user can mend, as scene::check()

@@ -106,8 +106,8 @@ template <int dim> std::string contradiction(const Outcome<dim>& earlier, const 
                      crossing ? "" : " and those before exclude each other");
 }
 
-/// Where refinement nests the cones of admissible displacements: by more than what the two certificates added to the energies as computed, and rounding to the solution. That proves
-/// no bound wrong, but solvers that went astray.
+/// Where refinement nests the cones of admissible displacements: by more than what the two certificates added to the
+/// energies as computed, and rounding to the solution. That proves no bound wrong, but solvers that went astray.
 template <int dim>
 std::string risen(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined) {
   if (earlier.levels.empty() || !scene::has_quadratic_gaps(problem)) return "";
@@ -118,7 +118,7 @@ std::string risen(const Outcome<dim>& earlier, const scene::Problem<dim>& proble
       risen <= explained + rounding_of_solution(problem, examined.primal.displacement, examined.dual.stress))
     return "";
   return fmt::format(
-      "the upper bound rose from {} to {} on {} cells, although the spaces are nested: the solvers went "
+      "the upper bound rose from {} to {} on {} cells, although those before are admissible, too: the solvers went "
       "astray; the levels before stand",
       last.certificate.upper, level.certificate.upper, level.cells);
 }
@@ -162,10 +162,16 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
   level.checks = admissibility(problem, displacement, stress);
   level.checks.gap_identity = level.plain.gap_identity;
   // The data were fixed on the first mesh, and so was what that did to the energy.
-  if (!earlier.empty())
+  if (!earlier.empty()) {
     level.oscillation_energy = earlier.front().oscillation_energy;
-  else if (!meshed.changed)
-    level.oscillation_energy = oscillation_energy(scene, problem, displacement, stress);
+    level.oscillation_part = earlier.front().oscillation_part;
+  } else if (!meshed.changed) {
+    examined.effect = data_effect(scene, problem, displacement, stress);
+    level.oscillation_energy = examined.effect.energy;
+    const auto& shares = examined.effect.facet;
+    const auto& most = problem.mesh.boundary[std::max_element(shares.begin(), shares.end()) - shares.begin()];
+    if (examined.effect.energy > 0) level.oscillation_part = problem.mesh.parts[most.part];
+  }
   level.seconds.mesh = meshed.seconds;
   level.seconds.estimate = estimating.seconds() - level.seconds.certify;
   level.seconds.total = meshed.seconds + clock.seconds();

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include "bounds/bounds.h"
 #include "contact/clock.h"
 #include "dual/dual.h"
@@ -15,6 +17,9 @@ template <int dim> struct Meshed {
   std::vector<char> primal_closed = {}, dual_closed = {};  ///< empty: unknown
   double seconds = 0;                                      ///< that it took to make
   bool changed = false;                                    ///< the data are no more those of the scene
+  std::vector<std::string> notes = {};                     ///< of the scene's own mesh
+  int times_resolved = 0;                                  ///< how often that was refined for the data,
+  std::set<std::string> resolved = {};                     ///< and those of which parts
 };
 
 /// Both formulations on one mesh, and what follows from their fields.
@@ -22,6 +27,7 @@ template <int dim> struct Examined {
   primal::Result<dim> primal;
   dual::Result<dim> dual;
   std::string unsolved;     ///< why one of them has no field; empty: both have, and the rest is set
+  DataEffect effect;        ///< on the first mesh, of data that are the scene's
   bool unstrained = false;  ///< the bodies but follow the prescribed displacements and gaps: see is_unstrained()
   Level level;
   Indicator indicator;

@@ -9,6 +9,7 @@
 
 #include "bounds/bounds.h"
 #include "bounds/level.h"
+#include "bounds/resolve_data.h"
 #include "bounds/skipped.h"
 
 namespace bracket::bounds {
@@ -109,6 +110,12 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
       Examined<dim> examined = examine(scene, meshed, outcome.levels, clock, observer);
+      while (outcome.levels.empty()) {
+        auto finer_first = with_data_resolved(scene, meshed, examined, clock);
+        if (!finer_first) break;
+        meshed = std::move(*finer_first);
+        examined = examine(scene, meshed, outcome.levels, clock, observer);
+      }
       const bool bracketed = examined.unsolved.empty();
       if (bracketed) {
         const Objection objected = objection(outcome, meshed.problem, examined);
@@ -125,7 +132,10 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
                        true);
         outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
         if (observer.level) observer.level(outcome);
-        if (examined.unstrained || reached(outcome, refine.target)) return outcome;
+        outcome.unstrained = outcome.unstrained || examined.unstrained;
+        if (reached(outcome, refine.target)) return outcome;
+        if (examined.unstrained)
+          return ended(std::move(outcome), refine, "nothing is strained, but for the rounding of the data", false);
       } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
         return ended(std::move(outcome), refine, examined.unsolved, true);
       }
@@ -162,7 +172,9 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
   const auto first = [&] {
     if (observer.stage) observer.stage("mesh");
-    return Meshed<dim>{.problem = scene::fix_data(scene, scene::build_mesh(scene))};
+    scene::Mesh<dim> mesh = scene::build_mesh(scene);
+    const std::vector<std::string> notes = mesh.notes;
+    return Meshed<dim>{.problem = scene::fix_data(scene, std::move(mesh)), .notes = notes};
   };
   return run_from(scene, first, observer);
 }

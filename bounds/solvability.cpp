@@ -8,6 +8,7 @@
 #include "bounds/certificate/corrections.h"
 #include "bounds/certificate/links.h"
 #include "primal/primal.h"
+#include "scene/problem/stretch.h"
 
 namespace bracket::bounds {
 
@@ -34,19 +35,23 @@ template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& 
 
 /// The approach of the contact sides under each motion, at the ends of each contact facet: a pressure on a facet can be
 /// replaced by forces at its ends.
-template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
+/// \param inset from the ends, at most to the middle
+template <int dim>
+Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset = 0) {
   const auto& mesh = problem.mesh;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
     const auto& first = mesh.boundary[pair.first];
     const Vector<dim> d = problem.facets[pair.first].normal;
+    const auto ends = scene::positions(mesh, first.vertices);
+    const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
       double sign = 0;
       if (all.body[m] == mesh.cell_component[first.cell]) sign += 1;
       if (pair.second >= 0 && all.body[m] == mesh.cell_component[mesh.boundary[pair.second].cell]) sign -= 1;
       for (int i = 0; i < dim; ++i)
-        rows(dim * j + i, m) = sign * d.dot(displacement(all.motion[m], mesh.vertices[first.vertices[i]]));
+        rows(dim * j + i, m) = sign * d.dot(displacement(all.motion[m], scene::between_ends(ends, i == 0 ? t : 1 - t)));
     }
   }
   return rows;
@@ -269,6 +274,15 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
     given = load_work(problem, all);
     if (const auto exact = contact::balance(rows, given.work, rounding); exact.possible) balance = exact;
   }
+  const auto by_pressure = [&](double tolerance) {
+    const double inset = 4 * tolerance / given.work.norm() * problem.length_scale;
+    return contact::balance(approaches(problem, all, inset), given.work, tolerance).possible;
+  };
+  if (given.size > 0 && given.work.norm() > explained && !by_pressure(rounding) && !by_pressure(explained))
+    throw scene::Error(
+        scene::Status::ill_posed,
+        "the loads can only be balanced by a force at the end of a contact line, through which their "
+        "resultant passes: a point reaction has infinite energy; move the load, or lengthen the contact");
   problem = with_corrections(std::move(problem), balance.pressure, rounding);
   problem.imbalance = std::max(problem.imbalance, changed);
   return problem;

@@ -106,6 +106,7 @@ std::string report_json(const Report& report) {
                       {"error_bound", std::sqrt(2 * std::max(0.0, outcome.upper - outcome.lower))},
                       {"mean_stress_error_bound", last.bracket.mean_stress_error_bound},
                       {"oscillation_energy", last.oscillation_energy},
+                      {"oscillation_part", last.oscillation_part},
                       {"levels", levels},
                       {"checks", checks_json(last.checks, outcome.problem.oscillation)},
                       {"loads_changed", outcome.problem.imbalance},

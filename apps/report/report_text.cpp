@@ -21,8 +21,11 @@ std::string explanation(const Report& report) {
       "equilibrium, not above the potential energy of displacements that respect the contact. The error of either\n"
       "field, in the energy norm, is at most the square root of twice the width: {}.\n"
       "Guarantee: {}. The fields were moved into balance and out of contact exactly, and every rounding error of\n"
-      "their energies is within the interval.\n",
-      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))), report.outcome.guarantee);
+      "their energies is within the interval.\n{}",
+      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))), report.outcome.guarantee,
+      report.outcome.guarantee == "discretisation"
+          ? "Some functions are known at points only; what they do between those is not in it.\n"
+          : "");
 }
 
 std::string level_table(const Report& report) {
@@ -121,17 +124,36 @@ std::string data_text(const Report& report) {
          changed;
 }
 
+std::string accuracy(const bounds::Outcome<2>& outcome) {
+  if (outcome.unstrained && outcome.lower < outcome.upper)
+    return "nothing is strained, but for the rounding of the data";
+  return fmt::format("relative width {}   guaranteed relative error {}", rounded_up_exponent(relative_width(outcome)),
+                     percent(outcome.relative_error_bound));
+}
+
+/// Of the problem that the bounds hold for, where it is not quite the scene's.
+std::string what_else(const bounds::Outcome<2>& outcome) {
+  std::string text;
+  const double changed = outcome.problem.imbalance;
+  // To first order the energy moves by twice the part by which the loads do.
+  if (2 * changed > relative_width(outcome))
+    text += fmt::format("   loads changed by {} to balance", rounded_up_exponent(changed));
+  if (outcome.guarantee == "discretisation") text += "   for data that were sampled";
+  const bounds::Level& last = outcome.levels.back();
+  if (last.oscillation_energy > outcome.upper - outcome.lower)
+    text += fmt::format("   for the data of '{}' as the first mesh has them, which is {} off", last.oscillation_part,
+                        std::isfinite(last.oscillation_energy)
+                            ? "an energy of about " + rounded_up_exponent(last.oscillation_energy)
+                            : "no bounded energy");
+  return text;
+}
+
 }  // namespace
 
 std::string headline(const Report& report) {
   if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
-  const double width = relative_width(report.outcome), changed = report.outcome.problem.imbalance;
-  // To first order the energy moves by twice the part by which the loads do.
-  const std::string beside =
-      2 * changed > width ? fmt::format("   loads changed by {} to balance", rounded_up_exponent(changed)) : "";
-  return fmt::format("energy in [{}, {}]   relative width {}   guaranteed relative error {}{}\n", report.outcome.lower,
-                     report.outcome.upper, rounded_up_exponent(width), percent(report.outcome.relative_error_bound),
-                     beside);
+  return fmt::format("energy in [{}, {}]   {}{}\n", report.outcome.lower, report.outcome.upper,
+                     accuracy(report.outcome), what_else(report.outcome));
 }
 
 std::string report_text(const Report& report) {

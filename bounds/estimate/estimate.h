@@ -84,13 +84,19 @@ struct Bracket {
 /// \param strain_energy ½ A(u_h,u_h)
 Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator);
 
-/// An estimate of what fixing the data edgewise did to the energy, to first order and in absolute value:
+/// An estimate of what fixing the data edgewise did to the energy, in absolute value: to first order
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
-/// where I u_h is linear on each facet (degree 1: its mean), to which P − P_h is orthogonal.
+/// where I u_h is linear on each facet (degree 1: its mean), to which P − P_h is orthogonal, and, as data of which
+/// nothing is left have no first order, the energy with which a half-plane answers to what is left out. Differences
+/// are bounds, of functions that are but sampled their values at points; enclosed gaps have none.
+struct DataEffect {
+  double energy = 0;          ///< infinite where data are unbounded, or jumps are prescribed as displacements
+  std::vector<double> facet;  ///< the shares of Mesh::boundary
+};
 /// \pre `problem` is fix_data() of `scene`, on its own mesh
 template <int dim>
-double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
-                          const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
+DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
+                       const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
 /// The pressure of λ_h on each contact facet, at the first facet's vertices 0 and 1, linear between; exactly 0 where it
 /// is not more than rounding of λ_h. That is seen where λ_h n has to be something known: by the most that, on the

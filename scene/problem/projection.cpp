@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "scene/problem/difference.h"
 #include "scene/problem/stretch.h"
 #include "scene/quadrature.h"
 #include "scene/range.h"
@@ -16,26 +18,6 @@
 namespace bracket::scene {
 
 namespace {
-
-constexpr int panels = 8;
-constexpr int samples = 5 * panels;
-
-struct Sample {
-  double s;  // 0 at a, 1 at b
-  double weight;
-};
-
-/// Gauss points, five in each of eight panels: all inside of the edge.
-const std::array<Sample, samples>& quadrature() {
-  static const std::array<Sample, samples> points = [] {
-    const auto gauss = gauss_points<5>();
-    std::array<Sample, samples> result{};
-    for (int i = 0; i < samples; ++i)
-      result[i] = {(i / 5 + 0.5 + 0.5 * gauss[i % 5].x) / panels, 0.5 * gauss[i % 5].weight / panels};
-    return result;
-  }();
-  return points;
-}
 
 double finite_value(const Function<2>& given, const Vector<2>& x, const std::string& where) {
   const double value = given(x);
@@ -46,67 +28,94 @@ double finite_value(const Function<2>& given, const Vector<2>& x, const std::str
   return value;
 }
 
-std::array<double, samples> sample(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                   const std::string& where) {
-  std::array<double, samples> values;
-  std::transform(quadrature().begin(), quadrature().end(), values.begin(),
-                 [&](const Sample& at) { return finite_value(given, (1 - at.s) * a + at.s * b, where); });
-  return values;
+struct Sample {
+  double s;  // 0 at a, 1 at b
+  double weight;
+  double value;
+};
+
+/// At Gauss points, five in each panel: all inside of the edge.
+std::vector<Sample> sample(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where) {
+  static const auto gauss = gauss_points<5>();
+  std::vector<Sample> samples;
+  for (const auto& [from, to] : panels_of(given, a, b))
+    for (const auto& [x, weight] : gauss) {
+      const double s = from + (0.5 + 0.5 * x) * (to - from);
+      samples.push_back({s, 0.5 * weight * (to - from), finite_value(given, (1 - s) * a + s * b, where)});
+    }
+  return samples;
 }
 
-double largest_of(const std::array<double, samples>& values) {
+double largest_of(const std::vector<Sample>& samples) {
   double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
+  for (const Sample& at : samples) largest = std::max(largest, std::abs(at.value));
   return largest;
 }
 
-double distance(const std::array<double, samples>& values, const std::array<double, 2>& ends) {
+double distance(const std::vector<Sample>& samples, const std::array<double, 2>& ends) {
   double largest = 0;
-  for (int i = 0; i < samples; ++i)
-    largest = std::max(largest, std::abs(values[i] - between_ends(ends, quadrature()[i].s)));
+  for (const Sample& at : samples) largest = std::max(largest, std::abs(at.value - between_ends(ends, at.s)));
   return largest;
 }
 
-std::array<double, 2> projected(const std::array<double, samples>& values) {
+std::array<double, 2> projected(const std::vector<Sample>& samples) {
   double mean = 0, slope = 0;  // coefficients of the Legendre polynomials 1 and 2s − 1
-  for (int i = 0; i < samples; ++i) {
-    const auto& [s, weight] = quadrature()[i];
-    mean += weight * values[i];
-    slope += 3 * weight * values[i] * (2 * s - 1);
+  for (const auto& [s, weight, value] : samples) {
+    mean += weight * value;
+    slope += 3 * weight * value * (2 * s - 1);
   }
   return {mean - slope, mean + slope};
+}
+
+/// The end values, just inside of the edge, of a function that is linear on it for sure.
+std::optional<std::array<double, 2>> linear_ends(const Function<2>& given, const Vector<2>& a, const Vector<2>& b) {
+  if (!given.is_enclosed()) return {};
+  const Jet whole = along(given, a, b, 0, 1);
+  if (whole.partial || !whole.c[2].is_zero() || !whole.c[3].is_zero() || !whole.value().is_bounded()) return {};
+  const auto middle = [](const Interval& x) { return static_cast<double>(x.lower + (x.upper - x.lower) / 2); };
+  return std::array{middle(beside(given, a, b, 0, 1).value()), middle(beside(given, a, b, 1, -1).value())};
+}
+
+/// Of a function that is linear to rounding its end values, of one that is constant inside that constant.
+std::array<double, 2> projected_or_ends(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                        const std::vector<Sample>& samples) {
+  const std::array<double, 2> ends = {given(a), given(b)};  // may be infinite: then they are not used
+  // Rounding of the values, and of the points at which they are taken.
+  const double reach = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) / (b - a).norm();
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * (largest_of(samples) + std::abs(ends[1] - ends[0]) * (1 + reach));
+  if (std::isfinite(rounding) && distance(samples, ends) <= rounding) return ends;
+  const double first = samples.front().value;
+  if (std::all_of(samples.begin(), samples.end(), [&](const Sample& at) { return at.value == first; }))
+    return {first, first};
+  return projected(samples);
+}
+
+/// Fills in how far the values are from the function, and how large that is.
+EdgeValues<2> compared(const std::array<double, 2>& value, const Function<2>& given, const Vector<2>& a,
+                       const Vector<2>& b, const std::vector<Sample>& samples) {
+  EdgeValues<2> result{value, 0, std::max({largest_of(samples), std::abs(value[0]), std::abs(value[1])})};
+  for (const Difference& panel : difference(given, a, b, value)) {
+    result.error = std::max(result.error, panel.largest);
+    if (std::isfinite(panel.value)) result.largest = std::max(result.largest, panel.value);
+  }
+  return result;
 }
 
 }  // namespace
 
 EdgeValues<2> project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where) {
-  const std::array<double, samples> values = sample(given, a, b, where);
-  EdgeValues<2> result;
-  result.largest = largest_of(values);
-  const std::array<double, 2> ends = {given(a), given(b)};  // may be infinite: then they are not used
-  // Rounding of the values, and of the points at which they are taken.
-  const double reach = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) / (b - a).norm();
-  const double rounding =
-      16 * std::numeric_limits<double>::epsilon() * (result.largest + std::abs(ends[1] - ends[0]) * (1 + reach));
-  if (std::isfinite(rounding) && distance(values, ends) <= rounding) {
-    result.value = ends;
-  } else if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values[0]; })) {
-    result.value = {values[0], values[0]};
-  } else {
-    result.value = projected(values);
-  }
-  result.error = distance(values, result.value);
+  const std::vector<Sample> samples = sample(given, a, b, where);
+  const auto ends = linear_ends(given, a, b);
+  EdgeValues<2> result = compared(ends ? *ends : projected_or_ends(given, a, b, samples), given, a, b, samples);
+  if (!given.is_enclosed()) result.largest = largest_of(samples);
   return result;
 }
 
 EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                  const std::string& where) {
-  EdgeValues<2> result;
-  result.value = {finite_value(given, a, where), finite_value(given, b, where)};
-  const std::array<double, samples> values = sample(given, a, b, where);
-  result.largest = std::max({largest_of(values), std::abs(result.value[0]), std::abs(result.value[1])});
-  result.error = distance(values, result.value);
-  return result;
+  return compared({finite_value(given, a, where), finite_value(given, b, where)}, given, a, b,
+                  sample(given, a, b, where));
 }
 
 EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
@@ -114,13 +123,11 @@ EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a
   EdgeValues<3> result;
   const auto& [start, end, middle] = result.value = {finite_value(given, a, where), finite_value(given, b, where),
                                                      finite_value(given, 0.5 * (a + b), where)};
-  const std::array<double, samples> values = sample(given, a, b, where);
-  result.largest = std::max({largest_of(values), std::abs(start), std::abs(end), std::abs(middle)});
+  const std::vector<Sample> samples = sample(given, a, b, where);
+  result.largest = std::max({largest_of(samples), std::abs(start), std::abs(end), std::abs(middle)});
   const double bulge = middle - 0.5 * (start + end);
-  for (int i = 0; i < samples; ++i) {
-    const double s = quadrature()[i].s;
-    result.error = std::max(result.error, std::abs(values[i] - between_ends(start, end, s) - 4 * s * (1 - s) * bulge));
-  }
+  for (const auto& [s, weight, value] : samples)
+    result.error = std::max(result.error, std::abs(value - between_ends(start, end, s) - 4 * s * (1 - s) * bulge));
   return result;
 }
 

@@ -9,20 +9,20 @@ namespace bracket::scene {
 
 template <int n> struct EdgeValues {
   std::array<double, n> value;  ///< at the ends a and b (and, for n = 3, at the midpoint)
-  double error = 0;             ///< largest difference to the given function at points inside of the edge
-  double largest = 0;           ///< of the given function's magnitude
+  double error = 0;             ///< not less than any difference to the given function; if that is sampled, at points
+  double largest = 0;           ///< not less than its magnitude, at points inside of the edge where that has no bound
 };
 
-/// L2 projection on linear functions, by composite quadrature: exact for polynomials of degree 8. A function that is
-/// linear to rounding is taken as its end values and one that is constant inside as that constant, exactly; so jumps
-/// may lie at the ends.
+/// L2 projection on linear functions, by composite quadrature: exact for polynomials of degree 8; on panels that are
+/// narrow where an enclosed function is not smooth. A function that is linear to rounding is taken as its end values
+/// and one that is constant inside as that constant, exactly; so jumps may lie at the ends.
 EdgeValues<2> project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where);
 
 /// The linear function with the given end values.
 EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                  const std::string& where);
 
-/// The quadratic function with the given values at the ends and the midpoint.
+/// The quadratic function with the given values at the ends and the midpoint, of a function that is sampled.
 EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                     const std::string& where);
 

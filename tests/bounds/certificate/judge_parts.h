@@ -102,8 +102,9 @@ inline ExactVoigt approach(const scene::Problem<2>& problem, const ExactDisplace
   return {r[0] - dot(second[1], d), r[1] - dot(second[0], d), r[2] - dot(second[2], d)};
 }
 
+/// The gap that the lower bound pays for.
 inline ExactVoigt gap(const scene::ContactFacet& pair) {
-  const Exact begin(pair.lower[0]), middle(pair.lower[1]), end(pair.lower[2]);
+  const Exact begin(pair.upper[0]), middle(pair.upper[1]), end(pair.upper[2]);
   return {begin, end, half * (half * (begin + end) + middle)};
 }
 

@@ -1,0 +1,132 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: data on edges.
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/estimate/on_mesh.h"
+#include "scene/problem/difference.h"
+#include "scene/problem/stretch.h"
+#include "scene/quadrature.h"
+
+namespace bracket::bounds {
+
+using scene::between_ends;
+using scene::Support;
+using scene::Vector;
+
+namespace {
+
+using Panels = std::vector<scene::Difference>;
+
+/// ∫ largest · weight over the edge, the weight a function of s that is a polynomial of degree 2 on each panel or less.
+template <class Weight> double against(const Panels& panels, double length, const Weight& weight) {
+  double sum = 0;
+  for (const auto& [on, largest, slope, value] : panels) {
+    if (largest == 0) continue;
+    const double mean = simpson(weight(on.from), weight((on.from + on.to) / 2), weight(on.to), 1);
+    if (mean > 0) sum += length * (on.to - on.from) * largest * mean;
+  }
+  return sum;
+}
+
+/// ∫ of a square over s.
+double squares(const Panels& panels, double scene::Difference::*what) {
+  double sum = 0;
+  for (const auto& panel : panels)
+    if (panel.largest > 0) sum += (panel.panel.to - panel.panel.from) * (panel.*what) * (panel.*what);
+  return sum;
+}
+
+/// Of a load δ left out, to which what is linear is orthogonal: its work on u_h, and the energy with which a half-plane
+/// answers to it, whose waves have lengths up to 4/3 of the edge: (1 − ν²)/E ∫ δ² / k with k ≥ 3 π / (2 length).
+double effect_of_load(const Panels& panels, double length, const std::array<Vector<2>, 3>& u, int degree,
+                      double compliance) {
+  // Of linear displacements only the mean is taken off, as what they lack of the exact ones is not known.
+  const double rest = degree == 2 ? (u[2] - (u[0] + u[1]) / 2).norm() : (u[1] - u[0]).norm();
+  const double work = degree == 2 ? against(panels, length, [&](double s) { return 4 * s * (1 - s) * rest; })
+                                  : against(panels, length, [&](double s) { return std::abs(s - 0.5) * rest; });
+  return work + compliance / 5 * length * length * squares(panels, &scene::Difference::largest);
+}
+
+/// Of a displacement δ left out: the work of λ_h n along `direction` on it, and the energy with which a half-plane
+/// follows it, E/(1 − ν²)/4 ∫ δ² k, with waves of which ∫ δ² k ≤ (∫ δ² ∫ δ'²)^½.
+double effect_of_displacement(const Panels& panels, double length, const std::array<Vector<2>, 2>& traction,
+                              const Vector<2>& direction, double stiffness) {
+  const double work =
+      against(panels, length, [&](double s) { return std::abs(between_ends(traction, s).dot(direction)); });
+  const double lost = squares(panels, &scene::Difference::largest);
+  return lost == 0 ? work : work + stiffness / 4 * std::sqrt(lost * squares(panels, &scene::Difference::slope));
+}
+
+double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>& problem,
+                       const scene::Displacement<2>& displacement, const scene::Stress<2>& stress, int facet) {
+  const auto& mesh = problem.mesh;
+  const auto& data = problem.facets[facet];
+  const auto& [a, b] = scene::positions(mesh, mesh.boundary[facet].vertices);
+  const double length = scene::length(mesh, facet);
+  const auto& material = body_of(problem, mesh.boundary[facet].cell).material;
+  const auto largest_entry = [](const auto& matrix) { return std::max(matrix(0, 0), matrix(1, 1)); };
+  double effect = 0;
+  for (int c = 0; c < static_cast<int>(given.value.size()); ++c) {
+    std::array<double, 2> fixed;
+    for (int end = 0; end < 2; ++end) switch (given.kind) {
+        case scene::ConditionKind::fixed: fixed[end] = data.displacement[end][c]; break;
+        case scene::ConditionKind::sliding: fixed[end] = data.normal_displacement[end]; break;
+        case scene::ConditionKind::traction: fixed[end] = data.traction[end][c]; break;
+        case scene::ConditionKind::pressure: fixed[end] = data.pressure[end]; break;
+      }
+    const Panels panels = scene::difference(given.value[c], a, b, fixed);
+    const Vector<2> direction = given.value.size() == 1 ? data.normal : Vector<2>(Vector<2>::Unit(c));
+    effect += data.support == Support::traction
+                  ? effect_of_load(panels, length, on_facet(mesh, displacement, facet), displacement.degree,
+                                   largest_entry(material.compliance()))
+                  : effect_of_displacement(panels, length, tractions(mesh, stress, facet), direction,
+                                           largest_entry(material.stiffness()));
+  }
+  return effect;
+}
+
+double bernstein(const std::array<double, 3>& c, double s) {
+  return (1 - s) * ((1 - s) * c[0] + 2 * s * c[1]) + s * s * c[2];
+}
+
+/// ∫ p_h |g − g_h| of a gap that is sampled.
+double effect_of_gap(const scene::Function<2>& gap, const scene::Problem<2>& problem, const scene::ContactFacet& pair,
+                     const std::array<double, 2>& pressure) {
+  const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[pair.first].vertices);
+  double sum = 0;
+  for (const auto& [x, weight] : scene::gauss_points<5>()) {
+    const double s = (1 + x) / 2, moved = gap((1 - s) * a + s * b) - bernstein(pair.lower, s);
+    sum += weight / 2 * std::abs(between_ends(pressure, s) * moved);
+  }
+  return scene::length(problem.mesh, pair.first) * sum;
+}
+
+}  // namespace
+
+template <int dim>
+DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
+                       const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress) {
+  static_assert(dim == 2);
+  const auto& mesh = problem.mesh;
+  DataEffect effect{0, std::vector<double>(problem.facets.size(), 0)};
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int part = mesh.boundary[f].part;
+    const auto condition = part < 0 ? scene.boundary.end() : scene.boundary.find(mesh.parts[part]);
+    if (condition != scene.boundary.end())
+      effect.facet[f] = effect_on_facet(condition->second, problem, displacement, stress, static_cast<int>(f));
+  }
+  const auto states = contact_state(problem, displacement, stress);
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const scene::Function<dim>& gap = scene.contact[problem.contact[j].pair].gap;
+    if (!gap.is_enclosed())
+      effect.facet[problem.contact[j].first] = effect_of_gap(gap, problem, problem.contact[j], states[j].pressure);
+  }
+  for (const double share : effect.facet) effect.energy += share;
+  return effect;
+}
+
+template DataEffect data_effect(const scene::Scene<2>&, const scene::Problem<2>&, const scene::Displacement<2>&,
+                                const scene::Stress<2>&);
+
+}  // namespace bracket::bounds

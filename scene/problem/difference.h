@@ -1,0 +1,35 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/function.h"
+
+/// What is left out where a function on an edge is fixed by few values. The parameter s is 0 at the edge's end a and 1
+/// at b.
+namespace bracket::scene {
+
+/// A stretch of an edge, from `from` to `to`.
+struct EdgePanel {
+  double from, to;
+};
+
+/// Eight panels; where the function is not smooth they are halved towards that, 24 times. Of a function that is but
+/// sampled, eight.
+std::vector<EdgePanel> panels_of(const Function<2>& given, const Vector<2>& a, const Vector<2>& b);
+
+/// On a panel: the difference of a function and the linear one with these values at a and b.
+struct Difference {
+  EdgePanel panel;
+  double largest;  ///< not less than its magnitude; of a sampled function, that at five points
+  double slope;    ///< the same of its derivative by s; infinite where that has no bound
+  double value;    ///< as `largest`, of the function itself
+};
+std::vector<Difference> difference(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                   const std::array<double, 2>& fixed);
+
+/// Largest difference of panels.
+double largest_of(const std::vector<Difference>& panels);
+
+}  // namespace bracket::scene
