@@ -44,7 +44,8 @@ template <int dim> struct Outcome {
   /// nested, so that where gaps are quadratic the last upper bound is the least; the stress spaces are not.
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A
+  double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A; not a
+                                                                          ///< number if `unstrained`, but for [0, 0]
   bool unstrained = false;  ///< the bodies but follow prescribed displacements and gaps; what is left is rounding
   scene::Problem<dim> problem;
   scene::Displacement<dim> displacement;

@@ -29,6 +29,15 @@ template <int dim> Outcome<dim> narrowed(Outcome<dim> outcome) {
   return outcome;
 }
 
+/// Nothing is strained but by rounding, and no error can be told relative to that.
+template <int dim> Outcome<dim> unstrained(Outcome<dim> outcome) {
+  outcome.unstrained = true;
+  if (outcome.lower == outcome.upper) return outcome;
+  outcome.relative_error_bound = std::numeric_limits<double>::quiet_NaN();
+  outcome.levels.back().bracket.relative_error_bound = outcome.relative_error_bound;
+  return outcome;
+}
+
 /// Nothing is guaranteed any more: the levels stay, to be reported.
 template <int dim> Outcome<dim> disowned(Outcome<dim> outcome) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -122,6 +131,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         if (objected.reason.empty() || objected.reported) {
           outcome.levels.push_back(examined.level);  // first: what follows cannot fail
           outcome = narrowed(std::move(outcome));
+          if (examined.unstrained) outcome = unstrained(std::move(outcome));
           outcome.problem = std::move(meshed.problem);
           outcome.displacement = std::move(examined.primal.displacement);
           outcome.stress = std::move(examined.dual.stress);
@@ -132,10 +142,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
                        true);
         outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
         if (observer.level) observer.level(outcome);
-        outcome.unstrained = outcome.unstrained || examined.unstrained;
-        if (reached(outcome, refine.target)) return outcome;
-        if (examined.unstrained)
-          return ended(std::move(outcome), refine, "nothing is strained, but for the rounding of the data", false);
+        if (examined.unstrained || reached(outcome, refine.target)) return outcome;
       } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
         return ended(std::move(outcome), refine, examined.unsolved, true);
       }

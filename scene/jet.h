@@ -82,8 +82,10 @@ Jet operator!=(const Jet& u, const Jet& v);
 Jet both(const Jet& u, const Jet& v);    ///< u ≠ 0 and v ≠ 0
 Jet either(const Jet& u, const Jet& v);  ///< u ≠ 0 or v ≠ 0
 
-/// `condition` ? yes : no, as functions that are written once for points and for jets need it.
+/// `condition` ? yes : no, as functions that are written once for points and for jets need it; && and ||.
 Jet choose(const Jet& condition, const Jet& yes, const Jet& no);
 inline double choose(bool condition, double yes, double no) { return condition ? yes : no; }
+inline bool both(bool a, bool b) { return a && b; }
+inline bool either(bool a, bool b) { return a || b; }
 
 }  // namespace bracket::scene

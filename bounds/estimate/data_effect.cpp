@@ -58,6 +58,15 @@ double effect_of_displacement(const Panels& panels, double length, const std::ar
   return lost == 0 ? work : work + stiffness / 4 * std::sqrt(lost * squares(panels, &scene::Difference::slope));
 }
 
+bool is_rounding(const Panels& panels, const std::array<double, 2>& fixed, const Vector<2>& a, const Vector<2>& b) {
+  double left = 0, largest = 0;
+  for (const auto& panel : panels) {
+    left = std::max(left, panel.largest);
+    largest = std::max(largest, panel.value);
+  }
+  return left <= scene::rounding_of_values(largest, fixed, a, b);
+}
+
 double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>& problem,
                        const scene::Displacement<2>& displacement, const scene::Stress<2>& stress, int facet) {
   const auto& mesh = problem.mesh;
@@ -76,6 +85,7 @@ double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>
         case scene::ConditionKind::pressure: fixed[end] = data.pressure[end]; break;
       }
     const Panels panels = scene::difference(given.value[c], a, b, fixed);
+    if (is_rounding(panels, fixed, a, b)) continue;
     const Vector<2> direction = given.value.size() == 1 ? data.normal : Vector<2>(Vector<2>::Unit(c));
     effect += data.support == Support::traction
                   ? effect_of_load(panels, length, on_facet(mesh, displacement, facet), displacement.degree,

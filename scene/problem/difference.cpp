@@ -97,10 +97,9 @@ std::vector<Difference> difference(const Function<2>& given, const Vector<2>& a,
   return all;
 }
 
-double largest_of(const std::vector<Difference>& panels) {
-  double largest = 0;
-  for (const Difference& panel : panels) largest = std::max(largest, panel.largest);
-  return largest;
+double rounding_of_values(double largest, const std::array<double, 2>& ends, const Vector<2>& a, const Vector<2>& b) {
+  const double reach = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) / (b - a).norm();
+  return 16 * std::numeric_limits<double>::epsilon() * (largest + std::abs(ends[1] - ends[0]) * (1 + reach));
 }
 
 }  // namespace bracket::scene

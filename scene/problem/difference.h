@@ -29,7 +29,8 @@ struct Difference {
 std::vector<Difference> difference(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                    const std::array<double, 2>& fixed);
 
-/// Largest difference of panels.
-double largest_of(const std::vector<Difference>& panels);
+/// What rounding does to values of about `largest` on an edge and to the points at which they are taken: a difference
+/// that is no larger is none.
+double rounding_of_values(double largest, const std::array<double, 2>& ends, const Vector<2>& a, const Vector<2>& b);
 
 }  // namespace bracket::scene

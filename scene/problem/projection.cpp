@@ -80,10 +80,7 @@ std::optional<std::array<double, 2>> linear_ends(const Function<2>& given, const
 std::array<double, 2> projected_or_ends(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                         const std::vector<Sample>& samples) {
   const std::array<double, 2> ends = {given(a), given(b)};  // may be infinite: then they are not used
-  // Rounding of the values, and of the points at which they are taken.
-  const double reach = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) / (b - a).norm();
-  const double rounding =
-      16 * std::numeric_limits<double>::epsilon() * (largest_of(samples) + std::abs(ends[1] - ends[0]) * (1 + reach));
+  const double rounding = rounding_of_values(largest_of(samples), ends, a, b);
   if (std::isfinite(rounding) && distance(samples, ends) <= rounding) return ends;
   const double first = samples.front().value;
   if (std::all_of(samples.begin(), samples.end(), [&](const Sample& at) { return at.value == first; }))

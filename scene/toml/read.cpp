@@ -155,7 +155,7 @@ ContactPair<2> read_contact(const toml::table& entry) {
   pair.first = text(required(entry, "[[contact]]", "first"), "contact.first");
   pair.second = text(required(entry, "[[contact]]", "second"), "contact.second");
   const toml::node* gap = entry.get("gap");
-  pair.gap = gap != nullptr ? function(*gap, "contact.gap") : [](const Vector<2>&) { return 0.0; };
+  pair.gap = gap != nullptr ? function(*gap, "contact.gap") : 0.0;
   return pair;
 }
 

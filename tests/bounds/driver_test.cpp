@@ -212,13 +212,6 @@ TEST(Driver, loads_that_rounding_hides_are_not_taken_for_none) {
   EXPECT_GE(outcome.upper, exact);
 }
 
-TEST(Driver, a_resultant_through_the_end_of_the_contact_is_not_promised_a_finer_mesh) {
-  auto s = tests::linear_pressure({.c = 3}, 4, 2);
-  const auto outcome = run(s);
-  EXPECT_EQ(outcome.status, Status::not_guaranteed);
-  EXPECT_NE(outcome.reason.find("no mesh"), std::string::npos) << outcome.reason;
-}
-
 TEST(Mark, takes_as_few_cells_as_carry_the_bulk) {
   const auto problem = tests::problem(tests::two_blocks(4));
   Indicator indicator;

@@ -11,7 +11,7 @@ namespace bracket::tests {
 /// is the width to 1e-10 of it or 1e-14 of the energy.
 inline void expect_admissible(const bounds::Outcome<2>& outcome) {
   ASSERT_FALSE(outcome.levels.empty());
-  EXPECT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+  EXPECT_EQ(outcome.guarantee, outcome.problem.sampled ? "discretisation" : "rounding-safe") << outcome.reason;
   for (const auto& level : outcome.levels) {
     EXPECT_LE(level.bracket.lower, level.bracket.upper);
     EXPECT_TRUE(level.checks.passed());

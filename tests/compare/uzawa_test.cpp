@@ -132,7 +132,7 @@ TEST(Uzawa, ends_with_a_reason_where_no_pressure_of_the_mesh_balances_the_loads)
   scene::Scene<2> s;
   s.blocks = {block("b", 0, 1, 0, 1, 1, 1)};
   s.bodies = {{"b", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
-  s.boundary = {{"b.top", traction(constant(0), scene::enclosed<2>([](const auto& x) { return x[0] - 2.0 / 3; }))}};
+  s.boundary = {{"b.top", traction(constant(0), scene::enclosed<2>([](const auto& x) { return x[0] - 0.75; }))}};
   s.contact = {{"b.bottom", "rigid", constant(0), ""}};
   s.solve.dual = scene::Dual::uzawa;
   const auto outcome = bounds::run(s);
