@@ -49,17 +49,22 @@ std::string scope(const Report& report) {
   const scene::Oscillation& data = report.outcome.problem.oscillation;
   const double moved = std::max({data.traction, data.displacement, data.gap});
   const bool exact = moved < 1e-13;
+  const std::string sampled = report.outcome.guarantee == "discretisation"
+                                  ? "<li>Some functions are known at points only; what they do between those is not "
+                                    "seen.</li>\n"
+                                  : "";
   const std::string fixed_data =
       exact ? "<li>The given functions are carried exactly by the mesh.</li>\n"
             : fmt::format(
                   "<li>The bounds hold for the given functions as they are fixed on the edges of the first mesh, "
                   "which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of their largest "
-                  "values, and the energy by about {:.1e}.</li>\n",
+                  "values at most, and the energy by about {:.1e}.</li>\n",
                   data.traction, data.displacement, data.gap, report.outcome.levels.back().oscillation_energy);
   return fmt::format(
       "<h2>What this says, and what it does not</h2>\n<div class=\"scope\"><div><h3>Guaranteed</h3><ul>\n"
-      "<li>The potential energy of the exact elastic solution, for the data as the mesh carries them, lies between the "
-      "two bounds. The upper one is the energy of displacements that keep supports and contact everywhere; the lower "
+      "<li>The potential energy of the exact elastic solution, for gaps as they are written and for loads and "
+      "displacements as the first mesh carries them, lies between the two bounds. The upper one is the energy of "
+      "displacements that keep supports and contact everywhere; the lower "
       "one is minus the complementary energy of stresses in exact equilibrium that never pull across the "
       "contact.</li>\n"
       "<li>Displacements and stresses are each within {} of the exact ones in the energy norm, {} of its size: the "
@@ -74,7 +79,7 @@ std::string scope(const Report& report) {
       "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), report.outcome.guarantee, exact ? fixed_data : "",
-      exact ? "" : fixed_data);
+      sampled + (exact ? "" : fixed_data));
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {

@@ -68,6 +68,10 @@ std::vector<EdgePanel> panels_of(const Function<2>& given, const Vector<2>& a, c
     const Jet over = along(given, a, b, panel.from, panel.to);
     return Rough{panel, over.c[3].is_bounded() ? 0 : (over.c[0].upper - over.c[0].lower) * (panel.to - panel.from)};
   };
+  if (given.is_enclosed()) {
+    const Jet whole = along(given, a, b, 0, 1);
+    if (whole.c[2].is_zero() && whole.c[3].is_zero()) return {{0, 1}};
+  }
   for (const EdgePanel& panel : uniform()) all.push_back(rough(panel));
   for (int i = 0; i < halvings; ++i) {
     const auto most =

@@ -35,6 +35,49 @@ std::vector<std::string> split(const std::string& line) {
   return words;
 }
 
+// What the data as the first mesh has them leave out is bounded: here a load of 1000 on a width of 0.001.
+TEST_F(Report, TheFirstLineNamesDataThatTheMeshDoesNotCarry) {
+  write("spike.toml", R"(schema = 1
+[[mesh.block]]
+body = "b"
+x = [0, 1]
+y = [0, 1]
+cells = [4, 4]
+[bodies.b]
+E = 1
+nu = 0.3
+[boundary]
+"b.bottom" = { sliding = 0 }
+"b.left" = { sliding = 0 }
+"b.right" = { sliding = 0 }
+"b.top" = { traction = ["0", "-1-(abs(x-0.2505)<0.0005)*1e6"] }
+)");
+  const Ended named = shell("bracket run spike.toml --no-report");
+  EXPECT_EQ(named.status, 0) << named.err;
+  const std::string line = named.out.substr(0, named.out.find('\n'));
+  EXPECT_NE(line.find("for the data of 'b.top' as the first mesh has them"), std::string::npos) << line;
+  const Ended resolved =
+      shell("bracket run spike.toml --no-report --set refine.strategy=adaptive --set refine.target=0.05");
+  EXPECT_EQ(resolved.status, 0) << resolved.err;
+  EXPECT_EQ(resolved.out.substr(0, resolved.out.find('\n')).find("data"), std::string::npos) << resolved.out;
+  EXPECT_NE(resolved.err.find("the first mesh was refined"), std::string::npos) << resolved.err;
+}
+
+TEST_F(Report, ARigidTurnHasNoErrorToTell) {
+  write("turned.toml", R"(schema = 1
+mesh.block = [{ body = "a", x = [0, 1], y = [0, 1], cells = [4, 4] }]
+bodies.a = { E = 210e3, nu = 0.3 }
+boundary."a.left" = { fixed = ["0.1 - 0.3*y", "0.7 + 0.3*x"] }
+refine = { strategy = "adaptive", target = 0.01 }
+)");
+  const Ended ended = shell("bracket run turned.toml");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const std::string line = ended.out.substr(0, ended.out.find('\n'));
+  EXPECT_NE(line.find("nothing is strained"), std::string::npos) << line;
+  EXPECT_EQ(line.find('%'), std::string::npos) << line;
+  EXPECT_TRUE(Json::parse(read("turned.out/report.json"))["relative_error_bound"].is_null());
+}
+
 TEST_F(Report, TextJsonAndTableTellTheSameDoubles) {
   const Ended ended = shell("bracket run contact.toml");
   ASSERT_EQ(ended.status, 0) << ended.err;
