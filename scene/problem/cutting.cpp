@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -18,8 +19,9 @@ namespace bracket::scene {
 
 namespace {
 
-/// The smallest angle that a cut may leave where a regular one leaves `regular`.
-double acceptable(double regular) { return std::min(20.0, 0.7 * regular); }
+/// The smallest angle that sliding and cutting may leave, in degrees, where the cells do not have smaller ones as it
+/// is.
+double least_angle(const Mesh<2>& mesh) { return std::min(20.0, 0.7 * quality(mesh).smallest_angle); }
 
 std::vector<int> facets_of(const Mesh<2>& mesh, const std::vector<int>& parts) {
   std::vector<int> facets;
@@ -67,6 +69,8 @@ Comparison compare(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, c
     for (const Landing& one : all)
       if (!partner.contains(one.vertex)) result.missing.push_back(one);
   }
+  // In an order that does not depend on which side is called the first.
+  std::ranges::stable_sort(result.missing, {}, [](const Landing& one) { return std::pair(one.vertex, one.facet); });
   return result;
 }
 
@@ -105,7 +109,7 @@ double smallest_angle_of(const Mesh<2>& mesh, const std::vector<int>& cells) {
 }
 
 /// Slides vertices next to which one is missing, where cells keep their shape. \return how many
-int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_slide) {
+int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_slide, double least) {
   const auto cells = cells_by_vertex(mesh);
   int count = 0;
   std::set<int> touched;  // facets with an end that slid
@@ -114,9 +118,9 @@ int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_sli
     const int nearest = ends[landing.t < 0.5 ? 0 : 1];
     if (!can_slide[nearest] || touched.contains(landing.facet)) continue;
     const Vector<2> before = mesh.vertices[nearest];
-    const double regular = smallest_angle_of(mesh, cells[nearest]);
+    const double allowed = std::min(least, smallest_angle_of(mesh, cells[nearest]));
     mesh.vertices[nearest] = place(mesh, landing);
-    if (smallest_angle_of(mesh, cells[nearest]) < acceptable(regular)) {
+    if (smallest_angle_of(mesh, cells[nearest]) < allowed) {
       mesh.vertices[nearest] = before;
       continue;
     }
@@ -144,7 +148,7 @@ double angle_of_cut(const Mesh<2>& mesh, int facet, double t) {
 
 /// Halves the longest of the facets where vertices are missing, and puts the midpoint where one is missing if the cells
 /// keep their shape.
-Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing) {
+Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double least) {
   struct Cut {
     double angle;
     Vector<2> place;
@@ -162,7 +166,7 @@ Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing) {
   for (const auto& [facet, cut] : cuts) edges.push_back(mesh.boundary[facet].edge);
   Bisected bisected = bisect(mesh, conforming(mesh, edges));
   for (const auto& [facet, cut] : cuts)
-    if (cut.angle >= acceptable(angle_of_cut(mesh, facet, 0.5)))
+    if (cut.angle >= std::min(least, angle_of_cut(mesh, facet, 0.5)))
       bisected.mesh.vertices[bisected.midpoint[mesh.boundary[facet].edge]] = cut.place;
   return std::move(bisected.mesh);
 }
@@ -222,6 +226,7 @@ CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts) {
   if (auto pairs = coinciding(mesh, contacts)) return {std::move(mesh), std::move(*pairs)};
   constexpr int most = 200;
   const std::size_t cells = mesh.cells.size();
+  const double least = mesh.cells.empty() ? 0 : least_angle(mesh);
   int slid = 0;
   for (int round = 0; round < most; ++round) {
     const std::vector<Vector<2>> normals = shared_normals(mesh);
@@ -244,9 +249,9 @@ CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts) {
       result.mesh = std::move(mesh);
       return result;
     }
-    const int now = slide(mesh, comparison, movable(mesh, normals, comparison));
+    const int now = slide(mesh, comparison, movable(mesh, normals, comparison), least);
     slid += now;
-    if (now == 0) mesh = halve(mesh, comparison.missing);
+    if (now == 0) mesh = halve(mesh, comparison.missing, least);
   }
   fail(Status::mesh, contacts.front().where,
        fmt::format("the sides of the contacts could not be cut alike in {} steps: mesh them to match", most));
