@@ -8,6 +8,7 @@
 #include "scene/problem/facing.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
+#include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
 #include "scene/problem/support.h"
 #include "scene/range.h"
@@ -252,6 +253,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
     gap.include(values);
   }
   gap.error = std::max(gap.error, make_room(problem));
+  for (std::string& note : notes_on_lines(problem)) problem.mesh.notes.push_back(std::move(note));
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");
