@@ -59,6 +59,18 @@ std::vector<std::string> shared_names(const std::map<std::vector<int>, int>& sha
   return notes;
 }
 
+/// Refuses names of the scene that the file does not have.
+void check_known(const Uses& uses, const std::vector<RawMesh::Set>& sets, const Scene<2>& scene, const char* word) {
+  std::vector<std::string> known;
+  for (const RawMesh::Set& set : sets) known.push_back(set.name);
+  for (const auto& [name, where] : uses) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    if (std::ranges::find(scene.contact, name, &ContactPair<2>::second) != scene.contact.end())
+      known.push_back("rigid");
+    fail(Status::input, where, fmt::format("the mesh has no {} '{}': {}", word, name, suggestion(name, known)));
+  }
+}
+
 // ---- boundary parts -------------------------------------------------------------------------------------------------
 
 /// An edge of the mesh that has names.
@@ -156,6 +168,7 @@ Mesh<2> with_bodies(Mesh<2> mesh, const RawMesh& raw, const std::vector<int>& or
   }
   Uses uses;
   for (const auto& [name, body] : scene.bodies) uses[name] = body.where.empty() ? "bodies." + name : body.where;
+  check_known(uses, raw.bodies, scene, "body");
   std::vector<std::vector<int>> sets(raw.cells.size());
   for (std::size_t set = 0; set < raw.bodies.size(); ++set)
     for (const int cell : raw.bodies[set].members)
@@ -188,6 +201,7 @@ PartSides part_sides(const Mesh<2>& mesh, const RawMesh& raw, const std::vector<
   for (const RawMesh::Set& set : raw.node_sets)
     if (std::ranges::find(raw.parts, set.name, &RawMesh::Set::name) == raw.parts.end()) sets.push_back(set);
   const Uses uses = used_parts(scene);
+  check_known(uses, sets, scene, "boundary part");
 
   PartSides result;
   std::vector<PartSide> sides;  // parts by their sets

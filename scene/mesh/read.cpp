@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "scene/mesh/abaqus_cards.h"
 #include "scene/mesh/readers.h"
 #include "scene/text.h"
 
@@ -22,7 +23,10 @@ std::optional<double> decimal(std::string_view text) {
   return small ? 0 : std::numeric_limits<double>::infinity();
 }
 
-RawMesh read_raw_mesh(const std::filesystem::path& file) { return read_gmsh(file); }
+RawMesh read_raw_mesh(const std::filesystem::path& file) {
+  if (capitals(file.extension().string()) == ".INP") return read_abaqus(file);
+  return read_gmsh(file);
+}
 
 template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file) {
   static_assert(dim == 2);
