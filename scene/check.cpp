@@ -56,6 +56,13 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene) {
   if (scene.blocks.empty() == scene.mesh_file.empty()) {
     return Fault{{"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]])", scene.mesh_where};
   }
+  if (Found fault = size_fault({"mesh", "merge"}, "mesh.merge", scene.merge, scene.mesh_where)) return fault;
+  if (scene.merge < 0)
+    return Fault{
+        {"mesh", "merge"}, fmt::format("mesh.merge must not be negative, is {}", scene.merge), scene.mesh_where};
+  if (scene.merge > 0 && !scene.blocks.empty())
+    return Fault{
+        {"mesh", "merge"}, "mesh.merge is for the nodes of a mesh file; blocks have none to merge", scene.mesh_where};
   std::set<std::string> made;
   double cells = 0;
   for (std::size_t i = 0; i < scene.blocks.size(); ++i) {

@@ -83,6 +83,7 @@ template <int dim> struct Scene {
   std::vector<Block<dim>> blocks;
   std::filesystem::path mesh_file;  ///< empty: blocks
   std::string mesh_where;
+  double merge = 0;  ///< of a mesh file: nodes as close, a length, become one; 0: none
   std::map<std::string, Body<dim>> bodies;
   std::map<std::string, Condition<dim>> boundary;
   std::vector<ContactPair<dim>> contact;
@@ -107,8 +108,14 @@ void check_settings(const Refine& refine, const Solve& solve);
 /// \throw Error (input) unless displacements of this degree are known: 1 or 2
 void check_degree(int degree);
 
-/// The scene's blocks as a mesh, or its mesh file read.
-/// \throw Error (input: as check(), no such file; mesh: not usable)
+/// Reads a mesh file: Gmsh, Abaqus or what else libgmsh reads (docs/meshes.md). What it names bodies and boundary parts
+/// and what is mended on reading is told in docs/scene-file.md.
+/// \throw Error (input: no such file; mesh: truncated, not plane, empty, degenerate cells, …)
+template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
+
+/// The scene's blocks as a mesh, or its mesh file read. Names that the scene has data for have precedence over others
+/// of the same cells or lines; bodies that share nodes are separated along the lines of contact pairs. \throw Error
+/// (input: as check(), no such file; mesh: not usable, names that contradict each other)
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements

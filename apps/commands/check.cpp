@@ -114,7 +114,7 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
 }
 
 void info(const std::filesystem::path& file) {
-  const scene::Mesh<2> mesh = scene::read_gmsh<2>(file);
+  const scene::Mesh<2> mesh = scene::read_mesh<2>(file);
   print_notes(mesh);
   std::cout << mesh_text(mesh);
   for (int body = 0; body < static_cast<int>(mesh.bodies.size()); ++body) std::cout << body_text(mesh, body) << "\n";

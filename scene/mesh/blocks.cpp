@@ -1,5 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Planar: rectangles of triangles.
+#include "scene/mesh/readers.h"
 #include "scene/mesh/topology.h"
 #include "scene/text.h"
 
@@ -59,13 +60,15 @@ template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
   static_assert(dim == 2);
   check(scene);
   if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
+  RawMesh raw;
   try {
-    return read_gmsh<dim>(scene.mesh_file);
+    raw = read_raw_mesh(scene.mesh_file);
   } catch (const Error& error) {
     // That there is no such file is to be mended in the scene, the rest in the mesh file.
     if (error.status() == Status::input) fail(Status::input, scene.mesh_where, error.what());
     throw;
   }
+  return mesh_of(raw, scene, scene.mesh_file.string());
 }
 
 template Mesh<2> build_mesh(const Scene<2>&);

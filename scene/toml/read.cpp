@@ -63,10 +63,11 @@ Block<2> read_block(const toml::table& entry) {
 }
 
 /// A scene that has nothing but its mesh.
-Scene<2> read_mesh(const toml::table& entry, const std::filesystem::path& folder) {
-  check_keys(entry, "[mesh]", {"file", "block"});
+Scene<2> mesh_scene(const toml::table& entry, const std::filesystem::path& folder) {
+  check_keys(entry, "[mesh]", {"file", "merge", "block"});
   Scene<2> scene;
   scene.mesh_where = where(entry);
+  if (const toml::node* merge = entry.get("merge")) scene.merge = number(*merge, "mesh.merge");
   const toml::node* file = entry.get("file");
   const toml::node* blocks = entry.get("block");
   if ((file == nullptr) == (blocks == nullptr)) {
@@ -200,7 +201,7 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
-  Scene<dim> scene = read_mesh(table(required(root, "", "mesh"), "mesh"), file.parent_path());
+  Scene<dim> scene = mesh_scene(table(required(root, "", "mesh"), "mesh"), file.parent_path());
   if (const auto fault = mesh_fault(scene)) refuse(deepest(root, fault->key), fault->message);
   scene.file = file.string();
   if (const toml::node* node = root.get("title")) scene.title = text(*node, "title");
