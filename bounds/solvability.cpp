@@ -39,14 +39,15 @@ template <int dim> Eigen::MatrixXd approaches(const scene::Problem<dim>& problem
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    const auto& first = mesh.boundary[pair.first];
     const Vector<dim> d = problem.facets[pair.first].normal;
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
-      double sign = 0;
-      if (all.body[m] == mesh.cell_component[first.cell]) sign += 1;
-      if (pair.second >= 0 && all.body[m] == mesh.cell_component[mesh.boundary[pair.second].cell]) sign -= 1;
-      for (int i = 0; i < dim; ++i)
-        rows(dim * j + i, m) = sign * d.dot(displacement(all.motion[m], mesh.vertices[first.vertices[i]]));
+      for (const int side : {pair.first, pair.second}) {
+        if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
+        const auto& ends = mesh.boundary[side].vertices;
+        for (int i = 0; i < dim; ++i)  // the second side runs the other way
+          rows(dim * j + i, m) += side == pair.first ? d.dot(displacement(all.motion[m], mesh.vertices[ends[i]]))
+                                                     : -d.dot(displacement(all.motion[m], mesh.vertices[ends[1 - i]]));
+      }
     }
   }
   return rows;

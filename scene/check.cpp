@@ -141,26 +141,33 @@ Found condition_fault(const Scene<2>& scene) {
 }
 
 Found contact_fault(const Scene<2>& scene) {
-  std::set<std::string> taken;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
     const Key key = {"contact", std::to_string(i)};
     const auto fault = [&](const char* of, const std::string& message) {
       return Fault{of[0] == '\0' ? key : with(key, of), message, pair.where};
     };
-    if (pair.first == "rigid")
-      return fault("first", "contact.first must be a boundary part; a rigid wall is the second side");
-    if (pair.first == pair.second) return fault("", fmt::format("first and second are the same part '{}'", pair.first));
-    if (!pair.gap) return fault("gap", fmt::format("the gap of '{}' is an empty function", pair.first));
-    for (const auto& [side, part] : {std::pair("first", pair.first), std::pair("second", pair.second)}) {
-      if (part.empty()) return fault(side, fmt::format("contact.{} must not be empty", side));
-      if (part == "rigid") continue;
-      if (const auto own = scene.boundary.find(part); own != scene.boundary.end()) {
-        return fault("", fmt::format("the part '{}' is in contact and has a condition of its own ({})", part,
-                                     own->second.where.empty() ? name(own->second.kind) : own->second.where));
+    if (pair.gap && !*pair.gap)
+      return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
+    const bool crack = pair.first == pair.second;
+    std::set<std::string> own;  // parts of this pair
+    for (const auto& [side, of] : {std::pair(&pair.first, "first"), std::pair(&pair.second, "second")}) {
+      if (side->parts.empty()) return fault(of, fmt::format("contact.{} must name a boundary part", of));
+      if (side == &pair.second && is_rigid(*side)) continue;
+      for (const std::string& part : side->parts) {
+        if (part.empty()) return fault(of, fmt::format("contact.{} must not be empty", of));
+        if (part == "rigid")
+          return fault(of, side == &pair.first
+                               ? "contact.first must be a boundary part; a rigid wall is the second side"
+                               : "contact.second is 'rigid' alone or boundary parts, not both");
+        if (const auto condition = scene.boundary.find(part); condition != scene.boundary.end()) {
+          const auto& [kind, value, where] = condition->second;
+          return fault("", fmt::format("the part '{}' is in contact and has a condition of its own ({})", part,
+                                       where.empty() ? name(kind) : where));
+        }
+        if (!own.insert(part).second && !crack)
+          return fault(of, fmt::format("the part '{}' is named twice in one contact pair", part));
       }
-      if (!taken.insert(part).second)
-        return fault("", fmt::format("the part '{}' is in another contact pair already", part));
     }
   }
   return {};
@@ -206,6 +213,12 @@ std::optional<Fault> fault_of(const Scene<2>& scene) {
 void throw_if(const std::optional<Fault>& fault) {
   if (fault) fail(Status::input, fault->where, fault->message);
 }
+
+bool is_rigid(const Side& side) { return side.parts == std::vector<std::string>{"rigid"}; }
+bool contains(const Side& side, const std::string& part) {
+  return std::find(side.parts.begin(), side.parts.end(), part) != side.parts.end();
+}
+std::string name(const Side& side) { return fmt::format("{}", fmt::join(side.parts, ", ")); }
 
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
 void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }

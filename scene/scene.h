@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,27 @@ template <int dim> struct Condition {
   std::string where = {};
 };
 
-/// A frictionless contact pair. The gap is measured along the outward normal of `first`, ≥ 0 open, < 0 interference.
+/// One side of a contact: boundary parts, by name. As a second side also "rigid" alone: a wall along the first.
+struct Side {
+  std::vector<std::string> parts;
+
+  Side() = default;
+  Side(const char* part) : parts{part} {}
+  Side(std::string part) : parts{std::move(part)} {}
+  Side(std::vector<std::string> of) : parts(std::move(of)) {}
+  bool operator==(const Side&) const = default;
+};
+bool is_rigid(const Side& side);
+bool contains(const Side& side, const std::string& part);
+std::string name(const Side& side);  ///< "a" or "a, b"
+
+/// A frictionless contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
+/// other side is free. The gap is measured from the first side to the second, ≥ 0 open, < 0 interference, and its
+/// function taken at points of the first. One part as both sides is a crack.
 template <int dim> struct ContactPair {
-  std::string first;
-  std::string second;  ///< a boundary part, or "rigid": a wall along `first`
-  Function<dim> gap;
+  Side first;
+  Side second;
+  std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides; none to a wall
   std::string where = {};
 };
 
@@ -102,12 +119,12 @@ template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
-/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge; gives the facets of one straight
-/// line one normal; where displacements are prescribed on both sides of a contact's vertex and close more than its gap
-/// by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to their approach.
+/// interpolated linearly, gaps quadratically; cuts the contact sides alike (scene/problem/cutting.h); gives the facets
+/// of one straight line one normal; where displacements are prescribed on both sides of a contact's vertex and close
+/// more than its gap by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to that.
 /// \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs none
 /// \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
-///        displacements that contradict each other at a vertex; mesh: sides that do not match)
+///        displacements that contradict each other at a vertex; mesh: sides that do not face each other)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 
 }  // namespace bracket::scene

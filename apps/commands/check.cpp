@@ -58,8 +58,9 @@ const char* name(scene::ConditionKind kind) {
 
 std::string condition_text(const scene::Scene<2>& scene, const std::string& part) {
   for (const scene::ContactPair<2>& pair : scene.contact) {
-    if (pair.first == part) return "contact with " + (pair.second == "rigid" ? "a rigid wall" : pair.second);
-    if (pair.second == part) return "contact with " + pair.first;
+    if (contains(pair.first, part))
+      return "contact with " + (is_rigid(pair.second) ? "a rigid wall" : name(pair.second));
+    if (contains(pair.second, part)) return "contact with " + name(pair.first);
   }
   const auto condition = scene.boundary.find(part);
   return condition == scene.boundary.end() ? "free" : name(condition->second.kind);
@@ -75,8 +76,8 @@ std::string pair_text(const scene::Scene<2>& scene, const scene::Problem<2>& pro
     largest = facets == 0 ? high : std::max(largest, high);
     ++facets;
   }
-  return fmt::format("  {} on {}: {} edges, all matched; gap {:.4g} to {:.4g}\n", scene.contact[pair].first,
-                     scene.contact[pair].second, facets, smallest, largest);
+  return fmt::format("  {} on {}: {} edges; gap {:.4g} to {:.4g}\n", name(scene.contact[pair].first),
+                     name(scene.contact[pair].second), facets, smallest, largest);
 }
 
 std::string problem_text(const scene::Scene<2>& scene, const scene::Problem<2>& problem) {

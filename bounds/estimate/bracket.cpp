@@ -106,10 +106,11 @@ double oscillation_energy(const scene::Scene<dim>& scene, const scene::Problem<d
   const auto states = contact_state(problem, displacement, stress);
   for (std::size_t j = 0; j < states.size(); ++j) {
     const auto& pair = problem.contact[j];
+    if (!scene.contact[pair.pair].gap) continue;  // as drawn: linear
     const auto& ends = mesh.boundary[pair.first].vertices;
     const std::array<Vector<dim>, 2> x = {mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
     energy += over_facet(scene::length(mesh, pair.first), [&](double s) {
-      const double moved = scene.contact[pair.pair].gap(between_ends(x, s)) - bernstein(pair.lower, s);
+      const double moved = (*scene.contact[pair.pair].gap)(between_ends(x, s)) - bernstein(pair.lower, s);
       return std::abs(between_ends(states[j].pressure, s) * moved);
     });
   }

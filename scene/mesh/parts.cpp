@@ -22,8 +22,9 @@ Uses used_parts(const Scene<2>& scene) {
   for (const auto& [part, condition] : scene.boundary)
     uses[part] = condition.where.empty() ? fmt::format("boundary.\"{}\"", part) : condition.where;
   for (const ContactPair<2>& pair : scene.contact)
-    for (const std::string& part : {pair.first, pair.second})
-      if (part != "rigid") uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
+    for (const Side& side : {pair.first, pair.second})
+      for (const std::string& part : side.parts)
+        if (!is_rigid(side)) uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
   return uses;
 }
 
@@ -146,8 +147,8 @@ NamedEdges named_edges(const Mesh<2>& mesh, const RawMesh& raw, const std::vecto
 
 /// The sets of the pair that both of its sides name `edge` by; −1: there is no such pair.
 std::array<int, 2> separating_sets(const NamedEdge& edge, const std::vector<RawMesh::Set>& all, const Scene<2>& scene) {
-  const auto set_of = [&](const std::string& name) {
-    const auto found = std::ranges::find(edge.sets, name, [&](int set) { return all[set].name; });
+  const auto set_of = [&](const Side& side) {
+    const auto found = std::ranges::find_if(edge.sets, [&](int set) { return contains(side, all[set].name); });
     return found == edge.sets.end() ? -1 : *found;
   };
   for (const ContactPair<2>& pair : scene.contact) {

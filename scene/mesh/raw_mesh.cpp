@@ -14,9 +14,11 @@ double rounding_of(const std::vector<RawMesh::Node>& nodes) {
   std::size_t digits = 0;
   for (const RawMesh::Node& node : nodes)
     for (int c = 0; c < 2; ++c) {
-      const std::string text = fmt::format("{:e}", node.x[c]);  // the shortest that reads back
-      digits = std::max<std::size_t>(digits, std::count_if(text.begin(), text.begin() + text.find('e'),
-                                                           [](char sign) { return sign >= '0' && sign <= '9'; }));
+      const std::string text = fmt::format("{}", node.x[c]);  // the shortest that reads back
+      std::string significant;
+      for (const char sign : text.substr(0, text.find('e')))
+        if (sign >= (significant.empty() ? '1' : '0') && sign <= '9') significant += sign;
+      digits = std::max(digits, significant.find_last_not_of('0') + 1);
     }
   // Fewer than six are not taken for rounding, but for what is meant.
   if (digits < 6 || digits > 15) return std::numeric_limits<double>::epsilon() / 2;

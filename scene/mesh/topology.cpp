@@ -21,7 +21,7 @@ namespace bracket::scene {
 namespace {
 
 /// A side of a cell, seen from the lower of its two vertices.
-struct Side {
+struct CellEdge {
   int upper;  // the other vertex
   int slot;   // 3 cell + side
 };
@@ -60,7 +60,7 @@ Mesh<2> turned(Mesh<2> mesh, const std::string& where) {
 }
 
 /// Two cells on one edge must lie on different sides of it: one walks it up, the other down.
-void check_neighbours(const Mesh<2>& mesh, const Side* sides, std::ptrdiff_t count, const std::string& where) {
+void check_neighbours(const Mesh<2>& mesh, const CellEdge* sides, std::ptrdiff_t count, const std::string& where) {
   const std::array<int, 2> edge = ends(mesh, sides[0].slot);
   if (count == 2 && edge != ends(mesh, sides[1].slot)) return;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -167,7 +167,7 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   std::vector<int> start(mesh.vertices.size() + 1, 0);
   for (int slot = 0; slot < slots; ++slot) ++start[std::ranges::min(ends(mesh, slot)) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Side> sides(slots);
+  std::vector<CellEdge> sides(slots);
   std::vector<int> next(start.begin(), start.end() - 1);
   for (int slot = 0; slot < slots; ++slot) {
     const auto [lower, upper] = std::ranges::minmax(ends(mesh, slot));
@@ -178,12 +178,14 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   for (std::size_t lower = 0; lower < mesh.vertices.size(); ++lower) {
     const auto bucket = sides.begin() + start[lower];
     const auto bucket_end = sides.begin() + start[lower + 1];
-    std::sort(bucket, bucket_end,
-              [](const Side& a, const Side& b) { return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot; });
+    std::sort(bucket, bucket_end, [](const CellEdge& a, const CellEdge& b) {
+      return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot;
+    });
     for (auto side = bucket; side != bucket_end;) {
       const int edge = static_cast<int>(mesh.edges.size());
       mesh.edges.push_back({static_cast<int>(lower), side->upper});
-      const auto last = std::find_if(side, bucket_end, [&](const Side& other) { return other.upper != side->upper; });
+      const auto last =
+          std::find_if(side, bucket_end, [&](const CellEdge& other) { return other.upper != side->upper; });
       if (last - side > 1) {
         check_neighbours(mesh, &*side, last - side, where);
       } else {

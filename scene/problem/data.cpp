@@ -4,8 +4,11 @@
 #include <algorithm>
 
 #include "scene/fault.h"
+#include "scene/problem/cutting.h"
+#include "scene/problem/facing.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
+#include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
 #include "scene/problem/support.h"
 #include "scene/range.h"
@@ -58,28 +61,50 @@ std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh
   return conditions;
 }
 
-/// The facets in contact, pair by pair; gaps are still to be filled in.
-std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh) {
+std::vector<int> parts_of(const Mesh<2>& mesh, const Side& side, const std::string& where,
+                          const std::vector<std::string>& others) {
+  std::vector<int> parts;
+  for (const std::string& name : side.parts) parts.push_back(part_named(mesh, name, where, others));
+  return parts;
+}
+
+/// A mesh whose contact sides are cut alike, and the facets in contact, pair by pair; gaps are still to be filled in.
+struct InContact {
+  Mesh<2> mesh;
   std::vector<ContactFacet> contact;
+};
+
+InContact in_contact(const Scene<2>& scene, Mesh<2> mesh) {
+  std::vector<SideParts> sides;  // of the pairs of two bodies
+  std::vector<std::vector<int>> walls;
+  for (const ContactPair<2>& pair : scene.contact) {
+    const std::vector<int> first = parts_of(mesh, pair.first, pair.where, {});
+    walls.push_back(is_rigid(pair.second) ? first : std::vector<int>{});
+    if (is_rigid(pair.second) && std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end())
+      fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
+    if (!is_rigid(pair.second))
+      sides.push_back({first, parts_of(mesh, pair.second, pair.where, {"rigid"}), pair.where});
+  }
+  CutAlike cut = cut_alike(std::move(mesh), sides);
+  InContact result{std::move(cut.mesh), {}};
+  std::size_t of_bodies = 0;
+  std::vector<char> taken(result.mesh.boundary.size(), 0);
+  for (const FacetPairs& pairs : cut.pairs)
+    for (const auto& [one, other] : pairs) taken[one] = taken[other] = 1;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
-    const ContactPair<2>& pair = scene.contact[i];
-    const int first = part_named(mesh, pair.first, pair.where);
-    if (pair.second == "rigid") {
-      if (std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end()) {
-        fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
-      }
-      for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
-        if (mesh.boundary[facet].part != first) continue;
-        contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}, {}});
-      }
-    } else {
-      const int second = part_named(mesh, pair.second, pair.where, {"rigid"});
-      for (const auto& [one, other] : match_sides(mesh, first, second, pair.where)) {
-        contact.push_back({static_cast<int>(i), one, other, {}, {}});
-      }
+    const int pair = static_cast<int>(i);
+    if (!is_rigid(scene.contact[i].second)) {
+      for (const auto& [one, other] : cut.pairs[of_bodies++]) result.contact.push_back({pair, one, other, {}, {}});
+      continue;
+    }
+    for (std::size_t f = 0; f < result.mesh.boundary.size(); ++f) {
+      const int part = result.mesh.boundary[f].part;
+      if (taken[f] || std::find(walls[i].begin(), walls[i].end(), part) == walls[i].end()) continue;
+      taken[f] = 1;
+      result.contact.push_back({pair, static_cast<int>(f), -1, {}, {}});
     }
   }
-  return contact;
+  return result;
 }
 
 /// Largest error and largest value over facets.
@@ -117,7 +142,12 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
                        const std::vector<ContactFacet>& contact) {
   FixedFacets fixed;
   fixed.facets.resize(mesh.boundary.size());
-  const std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
+  std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
+  for (const ContactFacet& pair : contact) {
+    if (pair.second == -1) continue;
+    normals[pair.first] = direction(normals[pair.first], normals[pair.second]);
+    normals[pair.second] = -normals[pair.first];
+  }
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
     FacetData<2>& data = fixed.facets[facet];
@@ -145,6 +175,21 @@ FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>
     }
   }
   return fixed;
+}
+
+EdgeValues<3> given_gap(const Mesh<2>& mesh, const ContactFacet& facet, const Function<2>& gap,
+                        const std::string& where) {
+  const auto [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
+  return interpolate_quadratic(gap, a, b, where);
+}
+
+/// The distance of the two sides along d, linear between the ends; of a wall none.
+EdgeValues<3> drawn_gap(const Mesh<2>& mesh, const ContactFacet& facet, const Vector<2>& d) {
+  if (facet.second == -1) return {};
+  const auto one = positions(mesh, mesh.boundary[facet.first].vertices);
+  const auto other = positions(mesh, mesh.boundary[facet.second].vertices);
+  const double start = (other[1] - one[0]).dot(d), end = (other[0] - one[1]).dot(d);
+  return {{start, end, 0.5 * (start + end)}, 0, std::max(std::abs(start), std::abs(end))};
 }
 
 double bounding_box_diagonal(const Mesh<2>& mesh) {
@@ -189,8 +234,9 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   Problem<dim> problem;
   problem.bodies = bodies_of(scene, mesh);
   const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);
-  problem.contact = contact_of(scene, mesh);
-  problem.mesh = with_sides_joined(std::move(mesh), problem.contact);
+  InContact sides = in_contact(scene, std::move(mesh));
+  problem.contact = std::move(sides.contact);
+  problem.mesh = with_sides_joined(std::move(sides.mesh), problem.contact);
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 
   FixedFacets fixed = fix_facets(problem.mesh, conditions, problem.contact);
@@ -200,14 +246,14 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
     problem.facets[facet.first].support = Support::contact;
     if (facet.second != -1) problem.facets[facet.second].support = Support::contact;
     const ContactPair<dim>& pair = scene.contact[facet.pair];
-    const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
-    const EdgeValues<3> values =
-        interpolate_quadratic(pair.gap, problem.mesh.vertices[a], problem.mesh.vertices[b], pair.where);
+    const EdgeValues<3> values = pair.gap ? given_gap(problem.mesh, facet, *pair.gap, pair.where)
+                                          : drawn_gap(problem.mesh, facet, problem.facets[facet.first].normal);
     const auto& [start, end, middle] = values.value;
     facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
     gap.include(values);
   }
   gap.error = std::max(gap.error, make_room(problem));
+  for (std::string& note : notes_on_lines(problem)) problem.mesh.notes.push_back(std::move(note));
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");

@@ -149,14 +149,23 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   return condition;
 }
 
+/// A part, or a list of parts.
+Side read_side(const toml::node& node, const std::string& name) {
+  const toml::array* parts = node.as_array();
+  if (parts == nullptr) return text(node, name);
+  Side side;
+  for (const toml::node& part : *parts) side.parts.push_back(text(part, name));
+  return side;
+}
+
 ContactPair<2> read_contact(const toml::table& entry) {
   check_keys(entry, "[[contact]]", {"first", "second", "gap"});
   ContactPair<2> pair;
   pair.where = where(entry);
-  pair.first = text(required(entry, "[[contact]]", "first"), "contact.first");
-  pair.second = text(required(entry, "[[contact]]", "second"), "contact.second");
-  const toml::node* gap = entry.get("gap");
-  pair.gap = gap != nullptr ? function(*gap, "contact.gap") : [](const Vector<2>&) { return 0.0; };
+  pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first");
+  pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second");
+  if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
+    pair.gap = function(*gap, "contact.gap");
   return pair;
 }
 
