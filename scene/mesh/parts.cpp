@@ -22,9 +22,9 @@ Uses used_parts(const Scene<2>& scene) {
   for (const auto& [part, condition] : scene.boundary)
     uses[part] = condition.where.empty() ? fmt::format("boundary.\"{}\"", part) : condition.where;
   for (const ContactPair<2>& pair : scene.contact)
-    for (const Side& side : {pair.first, pair.second})
-      for (const std::string& part : side.parts)
-        if (!is_rigid(side)) uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
+    for (const Side* side : {&pair.first, &pair.second})
+      for (const std::string& part : side->parts)
+        if (part != "rigid") uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
   return uses;
 }
 
