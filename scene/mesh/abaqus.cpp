@@ -149,10 +149,7 @@ void add_names(AbaqusModel& model) {
 }  // namespace
 
 double coordinate(std::string_view field, const AbaqusCard::Line& line) {
-  std::string text(field);
-  std::ranges::replace_if(
-      text, [](char c) { return c == 'd' || c == 'D'; }, 'e');  // as Fortran writes it
-  const std::optional<double> value = text.empty() ? 0 : decimal(text);
+  const std::optional<double> value = field.empty() ? 0 : decimal(field);
   if (!value) refuse(line, fmt::format("'{}' is not a number", field.substr(0, 40)));
   if (!(std::abs(*value) <= largest_size))
     refuse(line, fmt::format("{} is no coordinate; expected at most {:g} in size", field, largest_size));

@@ -214,7 +214,9 @@ PartSides part_sides(const Mesh<2>& mesh, const RawMesh& raw, const std::vector<
       ++kept[set];
     };
     if (named.sides.size() == 1) {
-      if (named.sets.size() > 1 && uses.empty()) ++shared[named.sets];
+      std::vector<int> by_line = named.sets;  // node sets share the nodes at their ends anyway
+      std::erase_if(by_line, [&](int set) { return set >= static_cast<int>(raw.parts.size()); });
+      if (by_line.size() > 1 && uses.empty()) ++shared[by_line];
       const auto what = [&, number = edge] {
         const auto& [a, b] = mesh.edges[number];
         return fmt::format("the line from {} to {}", point(mesh.vertices[a]), point(mesh.vertices[b]));

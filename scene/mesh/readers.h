@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -22,7 +23,15 @@ bool is_gmsh_text(std::string_view text);
 /// Abaqus input, as Abaqus, CalculiX, PrePoMax and Gmsh write it.
 RawMesh read_abaqus(const std::filesystem::path& file);
 
-/// A decimal number, with a plus if it likes; what is too small for a double is 0. None: it is not a number.
+/// Universal files (I-DEAS), as Salome and Gmsh write them, with their groups.
+RawMesh read_unv(const std::filesystem::path& file);
+
+/// What else libgmsh reads: Gmsh of any version, binary too, and files of other programs. A process of its own reads
+/// it, so that its crash is an Error (mesh), as is more time than \p limit.
+RawMesh read_by_libgmsh(const std::filesystem::path& file, std::chrono::seconds limit = std::chrono::seconds(300));
+
+/// A decimal number, with a plus or Fortran's D if it likes; what is too small for a double is 0. None: it is not a
+/// number.
 std::optional<double> decimal(std::string_view text);
 
 }  // namespace bracket::scene

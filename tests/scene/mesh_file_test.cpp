@@ -289,6 +289,16 @@ TEST(MeshFile, AContactThatNamesTheLineBetweenBodiesSeparatesThem) {
   EXPECT_NE(problem.contact[0].second, -1);
 }
 
+TEST(MeshFile, OneNameOfTheLineBetweenBodiesSeparatesThemAsACrack) {
+  const Folder folder;
+  Scene<2> scene = scene_of(folder.write("a.msh", gmsh_4(joined_squares())), {"lower", "upper"}, {"base"});
+  scene.contact = {{"joint", "joint", constant(0), "scene:contact"}};
+  const Mesh<2> mesh = build_mesh(scene);
+  EXPECT_EQ(mesh.components, (std::vector<std::string>{"lower", "upper"}));
+  EXPECT_EQ(length_of(mesh, "joint"), 2);
+  EXPECT_EQ(fix_data(scene, mesh).contact.size(), 1u);
+}
+
 // Bodies whose nodes were merged are separated again where they touch, and joined elsewhere: an upper block on two
 // lower ones, bonded to the left one.
 TEST(MeshFile, MergedBodiesAreJoinedButForTheirContact) {
