@@ -14,6 +14,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/say.h"
 #include "apps/commands/version.h"
+#include "apps/report/report.h"
 
 namespace {
 
@@ -71,10 +72,13 @@ Ending perform(int argc, char** argv) {
 
   CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
   add_scene(check);
+  bool as_json = false;
+  check->add_flag("--json", as_json, "Print it as JSON alone");
 
   std::filesystem::path mesh;
   CLI::App* info = app.add_subcommand("info", "Bodies, boundary parts and quality of a mesh file");
-  info->add_option("MESH", mesh, "The mesh file (Gmsh)")->required();
+  info->add_option("MESH", mesh, "The mesh file (Gmsh, Abaqus, …)")->required();
+  info->add_flag("--json", as_json, "Print it as JSON alone");
 
   try {
     app.parse(argc, argv);
@@ -87,8 +91,8 @@ Ending perform(int argc, char** argv) {
   if (study->parsed()) return bracket::apps::study(options.scene, options.overrides, options.folder);
   if (extremes->parsed()) return bracket::apps::extremes(options.scene, options.overrides, options.folder);
   if (paper->parsed()) bracket::apps::paper(options.folder);
-  if (check->parsed()) bracket::apps::check(options.scene, options.overrides);
-  if (info->parsed()) bracket::apps::info(mesh);
+  if (check->parsed()) bracket::apps::check(options.scene, options.overrides, as_json);
+  if (info->parsed()) bracket::apps::info(mesh, as_json);
   if (app.get_subcommands().empty())
     throw Error(Status::input, "expected a command: run, study, extremes, paper, check or info (see bracket --help)");
   return {};
@@ -97,6 +101,12 @@ Ending perform(int argc, char** argv) {
 int fail(Status status, const std::string& line) {
   bracket::apps::say("bracket: " + line + "\n");
   return static_cast<int>(status);
+}
+
+/// As fail(), of a command that has printed nothing. \param as_json whoever asked for JSON gets it
+int fail_without_report(Status status, const std::string& line, bool as_json) {
+  if (as_json) std::cout << bracket::apps::error_json(status, line) << std::flush;
+  return fail(status, line);
 }
 
 /// A standard stream that is closed must not become the first file that is opened.
@@ -110,16 +120,18 @@ void occupy_standard_streams() {
 int main(int argc, char** argv) {
   occupy_standard_streams();
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);  // writing fails instead
+  const bool as_json = std::any_of(argv + std::min(argc, 1), argv + argc,
+                                   [](const char* word) { return word == std::string("--json"); });
   try {
     const Ending ending = perform(argc, argv);
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0) return fail(Status::input, "cannot write to standard output");
     return ending.status == Status::done ? 0 : fail(ending.status, ending.reason);
   } catch (const Error& error) {
-    return fail(error.status(), error.what());
+    return fail_without_report(error.status(), error.what(), as_json);
   } catch (const std::bad_alloc&) {
-    return fail(Status::not_guaranteed, "the memory did not suffice; try fewer cells");
+    return fail_without_report(Status::not_guaranteed, "the memory did not suffice; try fewer cells", as_json);
   } catch (const std::exception& error) {
-    return fail(Status::internal, fmt::format("internal error: {}", error.what()));
+    return fail_without_report(Status::internal, fmt::format("internal error: {}", error.what()), as_json);
   }
 }

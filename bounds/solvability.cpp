@@ -42,16 +42,18 @@ Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    const auto& first = mesh.boundary[pair.first];
     const Vector<dim> d = problem.facets[pair.first].normal;
-    const auto ends = scene::positions(mesh, first.vertices);
     const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
     for (std::size_t m = 0; m < all.motion.size(); ++m) {
-      double sign = 0;
-      if (all.body[m] == mesh.cell_component[first.cell]) sign += 1;
-      if (pair.second >= 0 && all.body[m] == mesh.cell_component[mesh.boundary[pair.second].cell]) sign -= 1;
-      for (int i = 0; i < dim; ++i)
-        rows(dim * j + i, m) = sign * d.dot(displacement(all.motion[m], scene::between_ends(ends, i == 0 ? t : 1 - t)));
+      for (const int side : {pair.first, pair.second}) {
+        if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
+        const auto ends = scene::positions(mesh, mesh.boundary[side].vertices);
+        for (int i = 0; i < dim; ++i) {  // the second side runs the other way
+          const double at = (side == pair.first) == (i == 0) ? t : 1 - t;
+          rows(dim * j + i, m) +=
+              (side == pair.first ? 1 : -1) * d.dot(displacement(all.motion[m], scene::between_ends(ends, at)));
+        }
+      }
     }
   }
   return rows;

@@ -47,7 +47,7 @@ template <int dim> void take_ends_on_contact(const Problem<dim>& problem, std::v
       auto& loads = cells[facet.cell].loads;
       Eigen::Matrix<double, n_modes, 2> normal;
       for (int i = 0; i < 2; ++i) normal.col(i) = loads.col(4 * facet.local + 2 * i);
-      normal *= ends_from_moments(scene::length(problem.mesh, side));
+      normal *= ends_from_moments(scene::length(problem.mesh, pair.first));
       for (int i = 0; i < 2; ++i) loads.col(4 * facet.local + 2 * i) = normal.col(i);
     }
 }

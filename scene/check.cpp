@@ -49,6 +49,20 @@ Found block_fault(const Block<2>& block, const Key& key) {
   return {};
 }
 
+/// Whether two blocks have no point in common, a corner, or a whole side that both cut in the same edges.
+bool fit_together(const Block<2>& one, const Block<2>& other) {
+  std::vector<int> across;  // the axes along which they but touch
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto& [from, to] = one.range[axis];
+    const auto& [other_from, other_to] = other.range[axis];
+    if (to < other_from || other_to < from) return true;
+    if (to == other_from || other_to == from) across.push_back(axis);
+  }
+  if (across.size() != 1) return across.size() == 2;
+  const int along = 1 - across[0];
+  return one.range[along] == other.range[along] && one.cells[along] == other.cells[along];
+}
+
 }  // namespace
 
 std::optional<Fault> mesh_fault(const Scene<2>& scene) {
@@ -56,7 +70,13 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene) {
   if (scene.blocks.empty() == scene.mesh_file.empty()) {
     return Fault{{"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]])", scene.mesh_where};
   }
-  std::set<std::string> made;
+  if (Found fault = size_fault({"mesh", "merge"}, "mesh.merge", scene.merge, scene.mesh_where)) return fault;
+  if (scene.merge < 0)
+    return Fault{
+        {"mesh", "merge"}, fmt::format("mesh.merge must not be negative, is {}", scene.merge), scene.mesh_where};
+  if (scene.merge > 0 && !scene.blocks.empty())
+    return Fault{
+        {"mesh", "merge"}, "mesh.merge is for the nodes of a mesh file; blocks have none to merge", scene.mesh_where};
   double cells = 0;
   for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
     const Block<2>& block = scene.blocks[i];
@@ -65,10 +85,13 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene) {
     cells += 2.0 * block.cells[0] * block.cells[1];
     if (cells > most_cells)
       return Fault{key, fmt::format("the blocks have more than {:.0f} cells together", most_cells), block.where};
-    if (!made.insert(block.body).second) {
-      return Fault{key, fmt::format("there is another block of the body '{}'; a body is one block", block.body),
-                   block.where};
-    }
+    for (std::size_t other = 0; other < i; ++other)
+      if (block.body == scene.blocks[other].body && !fit_together(block, scene.blocks[other]))
+        return Fault{key,
+                     fmt::format("two blocks of the body '{0}' touch or overlap, but not along a whole side of both in "
+                                 "the same edges; expected that, or bodies of their own and a [[contact]]",
+                                 block.body),
+                     block.where};
   }
   for (const auto& [name, body] : scene.bodies) {
     Found fault = unmade_body(scene.blocks, name);
@@ -133,27 +156,66 @@ Found condition_fault(const Scene<2>& scene) {
   return {};
 }
 
+Found obstacle_fault(const Side& side, const Key& key, const std::string& where) {
+  const auto fault = [&](const std::string& message) { return Fault{key, "contact.second: " + message, where}; };
+  std::vector<double> numbers;
+  if (const auto* line = std::get_if<LineObstacle>(&side.obstacle)) {
+    numbers = {line->point[0], line->point[1], line->normal[0], line->normal[1]};
+    if (line->normal.isZero(0)) return fault("the normal of the line must not be zero");
+  } else if (const auto* round = std::get_if<CircleObstacle>(&side.obstacle)) {
+    const auto& [center, radius] = round->circle;
+    numbers = {center[0], center[1], radius};
+    if (!(radius > 0)) return fault(fmt::format("the radius of the circle must be positive, is {}", radius));
+  }
+  for (const double number : numbers)
+    if (const std::string message = size_message(number, "a number"); !message.empty()) return fault(message);
+  if (!numbers.empty() && !side.parts.empty()) return fault("either boundary parts or an obstacle, not both");
+  return {};
+}
+
+Found curve_fault(const Scene<2>& scene) {
+  for (const auto& [part, curve] : scene.curves) {
+    const Key key = {"curves", part};
+    if (!curve.circle) continue;
+    const auto& [center, radius] = *curve.circle;
+    const std::string name = fmt::format("curves.\"{}\".circle", part);
+    for (const double number : {center[0], center[1], radius})
+      if (Found fault = size_fault(key, name, number, curve.where)) return fault;
+    if (radius <= 0) return Fault{key, fmt::format("{}.radius must be positive, is {}", name, radius), curve.where};
+  }
+  return {};
+}
+
 Found contact_fault(const Scene<2>& scene) {
-  std::set<std::string> taken;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
     const Key key = {"contact", std::to_string(i)};
     const auto fault = [&](const char* of, const std::string& message) {
       return Fault{of[0] == '\0' ? key : with(key, of), message, pair.where};
     };
-    if (pair.first == "rigid")
-      return fault("first", "contact.first must be a boundary part; a rigid wall is the second side");
-    if (pair.first == pair.second) return fault("", fmt::format("first and second are the same part '{}'", pair.first));
-    if (!pair.gap) return fault("gap", fmt::format("the gap of '{}' is an empty function", pair.first));
-    for (const auto& [side, part] : {std::pair("first", pair.first), std::pair("second", pair.second)}) {
-      if (part.empty()) return fault(side, fmt::format("contact.{} must not be empty", side));
-      if (part == "rigid") continue;
-      if (const auto own = scene.boundary.find(part); own != scene.boundary.end()) {
-        return fault("", fmt::format("the part '{}' is in contact and has a condition of its own ({})", part,
-                                     own->second.where.empty() ? name(own->second.kind) : own->second.where));
+    if (pair.gap && !*pair.gap)
+      return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
+    const bool crack = !is_wall(pair.second) && pair.first.parts == pair.second.parts;
+    if (Found of_obstacle = obstacle_fault(pair.second, with(key, "second"), pair.where)) return of_obstacle;
+    std::set<std::string> own;  // parts of this pair
+    for (const auto& [side, of] : {std::pair(&pair.first, "first"), std::pair(&pair.second, "second")}) {
+      if (side->parts.empty() && !(side == &pair.second && is_wall(*side)))
+        return fault(of, fmt::format("contact.{} must name a boundary part", of));
+      if (side == &pair.second && is_wall(*side)) continue;
+      for (const std::string& part : side->parts) {
+        if (part.empty()) return fault(of, fmt::format("contact.{} must not be empty", of));
+        if (part == "rigid")
+          return fault(of, side == &pair.first
+                               ? "contact.first must be a boundary part; a rigid wall is the second side"
+                               : "contact.second is 'rigid' alone or boundary parts, not both");
+        if (const auto condition = scene.boundary.find(part); condition != scene.boundary.end()) {
+          const auto& [kind, value, where] = condition->second;
+          return fault("", fmt::format("the part '{}' is in contact and has a condition of its own ({})", part,
+                                       where.empty() ? name(kind) : where));
+        }
+        if (!own.insert(part).second && !crack)
+          return fault(of, fmt::format("the part '{}' is named twice in one contact pair", part));
       }
-      if (!taken.insert(part).second)
-        return fault("", fmt::format("the part '{}' is in another contact pair already", part));
     }
   }
   return {};
@@ -184,7 +246,7 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
 }  // namespace
 
 std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
-  for (const auto& find : {body_fault, condition_fault, contact_fault})
+  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault})
     if (Found fault = find(scene)) return fault;
   Found fault = settings_fault(scene.refine, scene.solve);
   if (fault) fault->where = scene.file;
@@ -198,6 +260,18 @@ std::optional<Fault> fault_of(const Scene<2>& scene) {
 
 void throw_if(const std::optional<Fault>& fault) {
   if (fault) fail(Status::input, fault->where, fault->message);
+}
+
+bool is_rigid(const Side& side) { return side.parts == std::vector<std::string>{"rigid"}; }
+bool contains(const Side& side, const std::string& part) {
+  return std::find(side.parts.begin(), side.parts.end(), part) != side.parts.end();
+}
+bool is_wall(const Side& side) { return is_rigid(side) || side.obstacle.index() != 0; }
+std::string name(const Side& side) {
+  if (is_rigid(side)) return "a rigid wall";
+  if (std::holds_alternative<LineObstacle>(side.obstacle)) return "a line";
+  if (std::holds_alternative<CircleObstacle>(side.obstacle)) return "a circle";
+  return fmt::format("{}", fmt::join(side.parts, ", "));
 }
 
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }

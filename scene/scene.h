@@ -4,7 +4,9 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/fields.h"
@@ -20,12 +22,14 @@
 namespace bracket::scene {
 
 /// A built-in rectangle of cells[0] × cells[1] squares, each cut in two by the diagonal from its lower left.
-/// Its boundary parts are "body.left", ".right", ".bottom" and ".top".
+/// Its boundary parts are "body.left", ".right", ".bottom" and ".top". Blocks of one body share whole sides, cut in the
+/// same edges; they are one piece, and parts of one name one part.
 template <int dim> struct Block {
   std::string body;
   std::array<std::array<double, 2>, dim> range;  ///< {x from, to}, {y from, to}
   std::array<int, dim> cells;
   std::string where = {};  ///< "file:line:column", for messages; so below
+  std::string name = {};   ///< not empty: its parts are "body.name.left", …
 };
 
 /// What is prescribed on one boundary part. `value`: `dim` functions for fixed (displacement) and traction (force per
@@ -36,11 +40,54 @@ template <int dim> struct Condition {
   std::string where = {};
 };
 
-/// A frictionless contact pair. The gap is measured along the outward normal of `first`, ≥ 0 open, < 0 interference.
+struct Circle {
+  Vector<2> center = Vector<2>::Zero();
+  double radius = 0;
+};
+
+/// Obstacles that do not move. Contact with them acts along one direction for each facet of the first mesh: against the
+/// line's normal, or along the facet's own.
+struct LineObstacle {
+  Vector<2> point;
+  Vector<2> normal;  ///< to the side of the bodies, of any length
+};
+struct CircleObstacle {
+  Circle circle;
+  bool inside = false;  ///< whether the bodies are in it
+};
+
+/// One side of a contact: boundary parts, by name. As a second side also "rigid" alone, a wall along the first, or an
+/// obstacle.
+struct Side {
+  std::vector<std::string> parts;
+  std::variant<std::monostate, LineObstacle, CircleObstacle> obstacle = {};
+
+  Side() = default;
+  Side(const char* part) : parts{part} {}
+  Side(std::string part) : parts{std::move(part)} {}
+  Side(std::vector<std::string> of) : parts(std::move(of)) {}
+  Side(LineObstacle of) : obstacle(std::move(of)) {}
+  Side(CircleObstacle of) : obstacle(std::move(of)) {}
+};
+bool is_rigid(const Side& side);
+bool is_wall(const Side& side);  ///< "rigid" or an obstacle
+bool contains(const Side& side, const std::string& part);
+std::string name(const Side& side);  ///< "a", "a, b", "a rigid wall", "a line", "a circle"
+
+/// A frictionless contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
+/// other side is free. The gap is measured from the first side to the second, ≥ 0 open, < 0 interference, and its
+/// function taken at points of the first. One part as both sides is a crack.
 template <int dim> struct ContactPair {
-  std::string first;
-  std::string second;  ///< a boundary part, or "rigid": a wall along `first`
-  Function<dim> gap;
+  Side first;
+  Side second;
+  std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides or to the obstacle; none to a wall
+  std::string where = {};
+};
+
+/// A boundary part that is an arc: vertices that refinement makes are put on it, and the data fixed anew on each mesh,
+/// which then is a problem of its own.
+struct Curve {
+  std::optional<Circle> circle;  ///< nothing: the one through its vertices
   std::string where = {};
 };
 
@@ -67,8 +114,10 @@ template <int dim> struct Scene {
   std::vector<Block<dim>> blocks;
   std::filesystem::path mesh_file;  ///< empty: blocks
   std::string mesh_where;
+  double merge = 0;  ///< of a mesh file: nodes as close, a length, become one; 0: none
   std::map<std::string, Body<dim>> bodies;
   std::map<std::string, Condition<dim>> boundary;
+  std::map<std::string, Curve> curves;  ///< by boundary part
   std::vector<ContactPair<dim>> contact;
   Refine refine;
   Solve solve;
@@ -91,17 +140,23 @@ void check_settings(const Refine& refine, const Solve& solve);
 /// \throw Error (input) unless displacements of this degree are known: 1 or 2
 void check_degree(int degree);
 
-/// The scene's blocks as a mesh, or its mesh file read.
-/// \throw Error (input: as check(), no such file; mesh: not usable)
+/// Reads a mesh file: Gmsh, Abaqus or what else libgmsh reads (docs/meshes.md). What it names bodies and boundary parts
+/// and what is mended on reading is told in docs/scene-file.md.
+/// \throw Error (input: no such file; mesh: truncated, not plane, empty, degenerate cells, …)
+template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
+
+/// The scene's blocks as a mesh, or its mesh file read. Names that the scene has data for have precedence over others
+/// of the same cells or lines; bodies that share nodes are separated along the lines of contact pairs. \throw Error
+/// (input: as check(), no such file; mesh: not usable, names that contradict each other)
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
-/// interpolated linearly, gaps quadratically; matches the contact sides edge by edge; gives the facets of one straight
-/// line one normal; where displacements are prescribed on both sides of a contact's vertex and close more than its gap
-/// by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to their approach.
+/// interpolated linearly, gaps quadratically; cuts the contact sides alike (scene/problem/cutting.h); gives the facets
+/// of one straight line one normal; where displacements are prescribed on both sides of a contact's vertex and close
+/// more than its gap by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to that.
 /// \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs none
 /// \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
-///        displacements that contradict each other at a vertex; mesh: sides that do not match)
+///        displacements that contradict each other at a vertex; mesh: sides that do not face each other)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 
 }  // namespace bracket::scene

@@ -6,13 +6,54 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/say.h"
+#include "apps/report/json.h"
 #include "bounds/bounds.h"
 
 namespace bracket::apps {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 void print_notes(const scene::Mesh<2>& mesh) {
   for (const std::string& note : mesh.notes) say_note(note);
+}
+
+/// What is told of a body or boundary part of a mesh.
+struct Body {
+  std::string name;
+  int cells = 0;
+  double area = 0;
+};
+struct Part {
+  std::string name;  ///< empty: of what belongs to none
+  int edges = 0;
+  double length = 0;
+};
+
+std::vector<Body> bodies_of(const scene::Mesh<2>& mesh) {
+  std::vector<Body> bodies;
+  for (const std::string& name : mesh.bodies) bodies.push_back({.name = name});
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    Body& body = bodies[mesh.cell_body[cell]];
+    ++body.cells;
+    body.area += scene::volume(mesh, static_cast<int>(cell));
+  }
+  return bodies;
+}
+
+/// The last is what belongs to none, if there is any.
+std::vector<Part> parts_of(const scene::Mesh<2>& mesh) {
+  std::vector<Part> parts;
+  for (const std::string& name : mesh.parts) parts.push_back({.name = name});
+  parts.emplace_back();
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
+    const int of = mesh.boundary[facet].part;
+    Part& part = of == -1 ? parts.back() : parts[of];
+    ++part.edges;
+    part.length += scene::length(mesh, static_cast<int>(facet));
+  }
+  if (parts.back().edges == 0) parts.pop_back();
+  return parts;
 }
 
 std::string mesh_text(const scene::Mesh<2>& mesh) {
@@ -22,28 +63,25 @@ std::string mesh_text(const scene::Mesh<2>& mesh) {
                      quality.largest_angle, quality.smallest_area, quality.largest_area);
 }
 
-std::string body_text(const scene::Mesh<2>& mesh, int body) {
-  int cells = 0;
-  double area = 0;
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    if (mesh.cell_body[cell] != body) continue;
-    ++cells;
-    area += scene::volume(mesh, cell);
-  }
-  return fmt::format("  body {}: {} cells, area {:.6g}", mesh.bodies[body], cells, area);
+Json mesh_json(const scene::Mesh<2>& mesh) {
+  return {{"cells", mesh.cells.size()},
+          {"vertices", mesh.vertices.size()},
+          {"edges", mesh.edges.size()},
+          {"components", mesh.components},
+          {"quality", quality_json(mesh)}};
 }
 
-// Edges and length of a boundary part; -1: of what belongs to no part. Empty if there are none.
-std::string part_text(const scene::Mesh<2>& mesh, int part) {
-  int edges = 0;
-  double length = 0;
-  for (int facet = 0; facet < static_cast<int>(mesh.boundary.size()); ++facet) {
-    if (mesh.boundary[facet].part != part) continue;
-    ++edges;
-    length += scene::length(mesh, facet);
-  }
-  if (edges == 0 && part < 0) return "";
-  return fmt::format("  {}: {} edges, length {:.6g}", part < 0 ? "without a name" : mesh.parts[part], edges, length);
+std::string text(const Body& body) {
+  return fmt::format("  body {}: {} cells, area {:.6g}", body.name, body.cells, body.area);
+}
+Json json(const Body& body) { return {{"name", body.name}, {"cells", body.cells}, {"area", body.area}}; }
+
+std::string text(const Part& part) {
+  return fmt::format("  {}: {} edges, length {:.6g}", part.name.empty() ? "without a name" : part.name, part.edges,
+                     part.length);
+}
+Json json(const Part& part) {
+  return {{"name", part.name.empty() ? Json() : Json(part.name)}, {"edges", part.edges}, {"length", part.length}};
 }
 
 const char* name(scene::ConditionKind kind) {
@@ -58,53 +96,98 @@ const char* name(scene::ConditionKind kind) {
 
 std::string condition_text(const scene::Scene<2>& scene, const std::string& part) {
   for (const scene::ContactPair<2>& pair : scene.contact) {
-    if (pair.first == part) return "contact with " + (pair.second == "rigid" ? "a rigid wall" : pair.second);
-    if (pair.second == part) return "contact with " + pair.first;
+    if (contains(pair.first, part))
+      return "contact with " + name(pair.second);
+    if (contains(pair.second, part)) return "contact with " + name(pair.first);
   }
   const auto condition = scene.boundary.find(part);
   return condition == scene.boundary.end() ? "free" : name(condition->second.kind);
 }
 
-std::string pair_text(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int pair) {
+/// What is told of a contact pair.
+struct Pair {
+  const scene::ContactPair<2>& sides;
   int facets = 0;
-  double smallest = 0, largest = 0;
+  double smallest = 0, largest = 0;  ///< gap
+};
+
+Pair pair_of(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int number) {
+  Pair pair{scene.contact[number]};
   for (const scene::ContactFacet& facet : problem.contact) {
-    if (facet.pair != pair) continue;
+    if (facet.pair != number) continue;
     const auto [low, high] = std::minmax({facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]});
-    smallest = facets == 0 ? low : std::min(smallest, low);
-    largest = facets == 0 ? high : std::max(largest, high);
-    ++facets;
+    pair.smallest = pair.facets == 0 ? low : std::min(pair.smallest, low);
+    pair.largest = pair.facets == 0 ? high : std::max(pair.largest, high);
+    ++pair.facets;
   }
-  return fmt::format("  {} on {}: {} edges, all matched; gap {:.4g} to {:.4g}\n", scene.contact[pair].first,
-                     scene.contact[pair].second, facets, smallest, largest);
+  return pair;
+}
+
+std::string text(const Pair& pair) {
+  return fmt::format("  {} on {}: {} edges; gap {:.4g} to {:.4g}\n", name(pair.sides.first), name(pair.sides.second),
+                     pair.facets, pair.smallest, pair.largest);
+}
+Json json(const Pair& pair) {
+  return {{"first", pair.sides.first.parts},
+          {"second", pair.sides.second.parts},
+          {"edges", pair.facets},
+          {"gap", {{"smallest", pair.smallest}, {"largest", pair.largest}}}};
 }
 
 std::string problem_text(const scene::Scene<2>& scene, const scene::Problem<2>& problem) {
-  const scene::Mesh<2>& mesh = problem.mesh;
-  std::string text = fmt::format("{} (plane {}{})\n", scene.title, name(scene.plane),
-                                 scene.units.empty() ? "" : "; units " + scene.units);
-  text += mesh_text(mesh);
-  for (int body = 0; body < static_cast<int>(mesh.bodies.size()); ++body) {
-    const scene::Vector<2>& force = problem.bodies[body].force;
-    text += body_text(mesh, body);
-    if (!force.isZero(0)) text += fmt::format(", body force ({:.4g}, {:.4g})", force.x(), force.y());
-    text += "\n";
+  std::string result = fmt::format("{} (plane {}{})\n", scene.title, name(scene.plane),
+                                   scene.units.empty() ? "" : "; units " + scene.units);
+  result += mesh_text(problem.mesh);
+  for (std::size_t i = 0; const Body& body : bodies_of(problem.mesh)) {
+    const scene::Vector<2>& force = problem.bodies[i++].force;
+    result += text(body);
+    if (!force.isZero(0)) result += fmt::format(", body force ({:.4g}, {:.4g})", force.x(), force.y());
+    result += "\n";
   }
-  text += "boundary:\n";
-  for (int part = 0; part < static_cast<int>(mesh.parts.size()); ++part)
-    text += fmt::format("{}: {}\n", part_text(mesh, part), condition_text(scene, mesh.parts[part]));
-  if (const std::string unnamed = part_text(mesh, -1); !unnamed.empty()) text += unnamed + ": free\n";
-  text += scene.contact.empty() ? "contact: none\n" : "contact:\n";
-  for (int pair = 0; pair < static_cast<int>(scene.contact.size()); ++pair) text += pair_text(scene, problem, pair);
-  return text + fmt::format("data oscillation: traction {:.1e}, displacement {:.1e}, gap {:.1e} of the largest value\n",
-                            problem.oscillation.traction, problem.oscillation.displacement, problem.oscillation.gap);
+  result += "boundary:\n";
+  for (const Part& part : parts_of(problem.mesh))
+    result += fmt::format("{}: {}\n", text(part), condition_text(scene, part.name));
+  result += scene.contact.empty() ? "contact: none\n" : "contact:\n";
+  for (std::size_t i = 0; i < scene.contact.size(); ++i) result += text(pair_of(scene, problem, static_cast<int>(i)));
+  return result +
+         fmt::format("data oscillation: traction {:.1e}, displacement {:.1e}, gap {:.1e} of the largest value\n",
+                     problem.oscillation.traction, problem.oscillation.displacement, problem.oscillation.gap);
+}
+
+Json problem_json(const scene::Scene<2>& scene, const scene::Problem<2>& problem) {
+  Json result = heading(scene);
+  result["units"] = scene.units;
+  result["plane"] = name(scene.plane);
+  result["mesh"] = mesh_json(problem.mesh);
+  for (std::size_t i = 0; const Body& body : bodies_of(problem.mesh)) {
+    const scene::Vector<2>& force = problem.bodies[i++].force;
+    result["bodies"].push_back(json(body));
+    result["bodies"].back()["body_force"] = {force.x(), force.y()};
+  }
+  for (const Part& part : parts_of(problem.mesh)) {
+    result["boundary"].push_back(json(part));
+    result["boundary"].back()["condition"] = condition_text(scene, part.name);
+  }
+  result["contact"] = Json::array();
+  for (std::size_t i = 0; i < scene.contact.size(); ++i)
+    result["contact"].push_back(json(pair_of(scene, problem, static_cast<int>(i))));
+  result["data_oscillation"] = oscillation_json(problem.oscillation);
+  return result;
 }
 
 }  // namespace
 
-void check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+void check(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool as_json) {
   const scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
   const scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
+  if (as_json) {
+    Json result = problem_json(scene, problem);
+    result["loads_changed"] = bounds::balanced(problem, scene.solve.degree).imbalance;
+    result["status"] = "done";
+    result["notes"] = problem.mesh.notes;
+    std::cout << dump(result);
+    return;
+  }
   print_notes(problem.mesh);
   std::cout << problem_text(scene, problem) << std::flush;
   const double imbalance = bounds::balanced(problem, scene.solve.degree).imbalance;
@@ -112,14 +195,24 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
                            imbalance);
 }
 
-void info(const std::filesystem::path& file) {
-  const scene::Mesh<2> mesh = scene::read_gmsh<2>(file);
+void info(const std::filesystem::path& file, bool as_json) {
+  const scene::Mesh<2> mesh = scene::read_mesh<2>(file);
+  if (as_json) {
+    Json result = heading();
+    result["file"] = file.string();
+    result["mesh"] = mesh_json(mesh);
+    for (const Body& body : bodies_of(mesh)) result["bodies"].push_back(json(body));
+    for (const Part& part : parts_of(mesh)) result["boundary"].push_back(json(part));
+    result["status"] = "done";
+    result["notes"] = mesh.notes;
+    std::cout << dump(result);
+    return;
+  }
   print_notes(mesh);
   std::cout << mesh_text(mesh);
-  for (int body = 0; body < static_cast<int>(mesh.bodies.size()); ++body) std::cout << body_text(mesh, body) << "\n";
+  for (const Body& body : bodies_of(mesh)) std::cout << text(body) << "\n";
   std::cout << "boundary:\n";
-  for (int part = 0; part < static_cast<int>(mesh.parts.size()); ++part) std::cout << part_text(mesh, part) << "\n";
-  if (const std::string unnamed = part_text(mesh, -1); !unnamed.empty()) std::cout << unnamed << "\n";
+  for (const Part& part : parts_of(mesh)) std::cout << text(part) << "\n";
 }
 
 }  // namespace bracket::apps

@@ -60,11 +60,12 @@ void paper(const std::filesystem::path& folder);
 
 /// Prints all that is known of a scene short of solving it: data, mesh quality, matching of the contact sides,
 /// solvability.
+/// \param as_json as JSON alone (docs/report.md); so below
 /// \throw scene::Error as run()
-void check(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
+void check(const std::filesystem::path& scene, const std::vector<std::string>& overrides, bool as_json);
 
 /// Prints bodies, boundary parts and quality of a mesh file.
 /// \throw scene::Error (input, mesh)
-void info(const std::filesystem::path& mesh);
+void info(const std::filesystem::path& mesh, bool as_json);
 
 }  // namespace bracket::apps

@@ -11,6 +11,12 @@ namespace bracket::apps {
 nlohmann::ordered_json heading();
 nlohmann::ordered_json heading(const scene::Scene<2>& scene);
 
+nlohmann::ordered_json quality_json(const scene::Mesh<2>& mesh);
+nlohmann::ordered_json oscillation_json(const scene::Oscillation& oscillation);
+
+/// As files hold it. Names may hold any bytes; what is not UTF-8 is replaced, rather than the report refused.
+std::string dump(const nlohmann::ordered_json& json);
+
 /// A level as report.json and study.json tell it.
 nlohmann::ordered_json level_json(const bounds::Level& level, const LevelSeconds& around);
 

@@ -38,6 +38,9 @@ double relative_width(const bounds::Outcome<2>& outcome);
 /// report.json: the fields of the report, schema 1. A number that is not finite is null.
 std::string report_json(const Report& report);
 
+/// The heading of report.json, status, exit status and reason of a command that ended without a report.
+std::string error_json(scene::Status status, const std::string& reason);
+
 /// history.csv: a line of names, then a line per level.
 std::string history_csv(const Report& report);
 

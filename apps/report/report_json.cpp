@@ -34,17 +34,8 @@ Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscilla
     std::ranges::replace(key, ' ', '_');
     json[key] = check.value;
   }
-  json["data_oscillation"] = {
-      {"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}};
+  json["data_oscillation"] = oscillation_json(oscillation);
   return json;
-}
-
-Json quality_json(const scene::Mesh<2>& mesh) {
-  const scene::Quality quality = scene::quality(mesh);
-  return {{"smallest_angle", quality.smallest_angle},
-          {"largest_angle", quality.largest_angle},
-          {"smallest_area", quality.smallest_area},
-          {"largest_area", quality.largest_area}};
 }
 
 /// The energies as they were computed, before the certificate.
@@ -59,6 +50,28 @@ Json heading(const scene::Scene<2>& scene) {
   json["title"] = scene.title;
   json["scene"] = scene.file;
   return json;
+}
+
+Json quality_json(const scene::Mesh<2>& mesh) {
+  const scene::Quality quality = scene::quality(mesh);
+  return {{"smallest_angle", quality.smallest_angle},
+          {"largest_angle", quality.largest_angle},
+          {"smallest_area", quality.smallest_area},
+          {"largest_area", quality.largest_area}};
+}
+
+Json oscillation_json(const scene::Oscillation& oscillation) {
+  return {{"traction", oscillation.traction}, {"displacement", oscillation.displacement}, {"gap", oscillation.gap}};
+}
+
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string error_json(scene::Status status, const std::string& reason) {
+  Json json = heading();
+  json["status"] = name(status);
+  json["exit_status"] = static_cast<int>(status);
+  json["reason"] = reason;
+  return dump(json);
 }
 
 Json level_json(const bounds::Level& level, const LevelSeconds& around) {
@@ -116,8 +129,7 @@ std::string report_json(const Report& report) {
                       {"missing", report.missing},
                       {"notes", outcome.problem.mesh.notes}};
   json.update(found);
-  // Names come from files that may hold any bytes; what is not UTF-8 is replaced, rather than the report refused.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump(json);
 }
 
 std::string history_csv(const Report& report) {

@@ -82,8 +82,8 @@ std::string pair_line(const Report& report, int pair) {
     if (presses(report.contact[i], rounding)) pressed += length;
   }
   return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
-                     report.scene.contact[pair].first, report.scene.contact[pair].second, force, largest, pressed,
-                     whole);
+                     name(report.scene.contact[pair].first), name(report.scene.contact[pair].second), force, largest,
+                     pressed, whole);
 }
 
 std::string contact_text(const Report& report) {

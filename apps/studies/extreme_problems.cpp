@@ -24,6 +24,7 @@ Problem<2> with_data_times(Problem<2> problem, double force, double traction, do
   for (scene::ContactFacet& facet : problem.contact)
     for (auto* gaps : {&facet.lower, &facet.upper})
       for (double& gap : *gaps) gap *= displacement;
+  problem.gaps.clear();  // what is between the two quadratics is the gap from now on
   return problem;
 }
 
@@ -101,7 +102,8 @@ Problem<2> flattened(scene::Scene<2> scene, double factor) {
   };
   for (auto& [name, condition] : scene.boundary)
     for (scene::Function<2>& f : condition.value) f = before(f);
-  for (scene::ContactPair<2>& pair : scene.contact) pair.gap = before(pair.gap);
+  for (scene::ContactPair<2>& pair : scene.contact)
+    if (pair.gap) pair.gap = before(*pair.gap);
   Mesh<2> mesh = scene::build_mesh(scene);
   for (Vector<2>& x : mesh.vertices) x[1] *= factor;
   return scene::fix_data(scene, std::move(mesh));

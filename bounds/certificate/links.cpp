@@ -25,10 +25,13 @@ Link link(int one, int other, const scene::Vector<2>& d) {
   return {std::min(one, other), std::max(one, other), {sign * d[0], sign * d[1]}};
 }
 
+int component(const scene::Problem<2>& problem, int facet) {
+  return problem.mesh.cell_component[problem.mesh.boundary[facet].cell];
+}
+
 /// \param ground the number of what does not move: that of the bodies
 std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char>& carrying, int ground) {
-  const auto& mesh = problem.mesh;
-  const auto body_of = [&](int facet) { return mesh.cell_component[mesh.boundary[facet].cell]; };
+  const auto body_of = [&](int facet) { return component(problem, facet); };
   std::set<Link> links;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int body = body_of(static_cast<int>(f));
@@ -43,6 +46,13 @@ std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char
     if (other != body_of(pair.first)) links.insert(link(body_of(pair.first), other, problem.facets[pair.first].normal));
   }
   return links;
+}
+
+/// Whether the two sides of a contact facet coincide to the last bit.
+bool touch(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  const auto one = positions(problem.mesh, problem.mesh.boundary[pair.first].vertices);
+  const auto other = positions(problem.mesh, problem.mesh.boundary[pair.second].vertices);
+  return one[0] == other[1] && one[1] == other[0];
 }
 
 int rank(std::vector<Row> rows) {
@@ -84,6 +94,10 @@ int unheld_motions(const scene::Problem<2>& problem, const std::vector<char>& ca
   std::set<int> turning;  // those that hang together and not on the ground
   for (int body = 0; body < bodies; ++body)
     if (joined.find_set(body) != joined.find_set(bodies)) turning.insert(joined.find_set(body));
+  // Sides at a distance lie along their direction but for rounding: a turn of both meets that rounding.
+  for (const auto& pair : problem.contact)
+    if (carrying[pair.pair] && pair.second >= 0 && !touch(problem, pair))
+      turning.erase(joined.find_set(component(problem, pair.first)));
   return static_cast<int>(turning.size()) + 2 * bodies - rank(std::move(rows));
 }
 

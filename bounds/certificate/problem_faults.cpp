@@ -207,14 +207,22 @@ std::string direction_fault(const Problem<2>& problem) {
   return "";
 }
 
-/// Whether the two facets of a contact are the same pieces of two facets that lie on each other on the first mesh.
-bool coincide(const Problem<2>& problem, const scene::ContactFacet& pair) {
+/// Whether the two facets of a contact are the same pieces of two facets that face each other on the first mesh: end
+/// lies opposite to end along the direction of the first, but for rounding and, as neighbours on arcs have other
+/// directions, for a part of the distance.
+bool face_each_other(const Problem<2>& problem, const scene::ContactFacet& pair) {
   const scene::Mesh<2>& first = scene::first_of(problem).mesh;
   const auto one = scene::piece_of_facet(problem, pair.first), other = scene::piece_of_facet(problem, pair.second);
   const auto& a = first.boundary[one.of].vertices;
   const auto& b = first.boundary[other.of].vertices;
-  return first.vertices[a[0]] == first.vertices[b[1]] && first.vertices[a[1]] == first.vertices[b[0]] &&
-         one.corner[0][0] == 1 - other.corner[1][0] && one.corner[1][0] == 1 - other.corner[0][0];
+  const Vector<2>& d = problem.facets[pair.first].normal;
+  for (int i = 0; i < 2; ++i) {
+    const Vector<2>&x = first.vertices[a[i]], &y = first.vertices[b[1 - i]];
+    const double across = std::abs((y - x).dot(Vector<2>(-d[1], d[0]))), along = std::abs((y - x).dot(d));
+    const double length = (first.vertices[a[1]] - first.vertices[a[0]]).norm();
+    if (!(across <= 0.01 * length + 0.5 * along)) return false;
+  }
+  return one.corner[0][0] == 1 - other.corner[1][0] && one.corner[1][0] == 1 - other.corner[0][0];
 }
 
 /// Whether a quadratic lies somewhere above another, by Bernstein coefficients.
@@ -240,7 +248,7 @@ std::string contact_fault(const Problem<2>& problem) {
     }
     if (pair.second >= 0 && problem.facets[pair.second].normal != -problem.facets[pair.first].normal)
       return name + " has directions that are not opposite on its two sides";
-    if (pair.second >= 0 && !coincide(problem, pair)) return name + " has sides that do not lie on each other";
+    if (pair.second >= 0 && !face_each_other(problem, pair)) return name + " has sides that do not face each other";
     if (certainly_crossing(pair.lower, pair.upper)) return name + " has a lower gap above its upper one";
     if (!problem.origin.first) continue;
     const auto& piece = problem.origin.facets[pair.first];

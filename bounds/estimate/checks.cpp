@@ -116,7 +116,8 @@ template <int dim> double interface_jump(const scene::Problem<dim>& problem, con
   for (const auto& pair : problem.contact) {
     if (pair.second < 0) continue;
     const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
-    for (int i = 0; i < 2; ++i) raise(worst, (first[i] + second[1 - i]).norm());
+    const double longer = scene::length(mesh, pair.second) / scene::length(mesh, pair.first);  // forces are opposite
+    for (int i = 0; i < 2; ++i) raise(worst, (first[i] + longer * second[1 - i]).norm());
   }
   return worst;
 }

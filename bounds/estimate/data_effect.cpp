@@ -128,9 +128,9 @@ DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>
   }
   const auto states = contact_state(problem, displacement, stress);
   for (std::size_t j = 0; j < states.size(); ++j) {
-    const scene::Function<dim>& gap = scene.contact[problem.contact[j].pair].gap;
-    if (!gap.is_enclosed())
-      effect.facet[problem.contact[j].first] = effect_of_gap(gap, problem, problem.contact[j], states[j].pressure);
+    const auto& gap = scene.contact[problem.contact[j].pair].gap;  // as drawn: linear
+    if (gap && !gap->is_enclosed())
+      effect.facet[problem.contact[j].first] = effect_of_gap(*gap, problem, problem.contact[j], states[j].pressure);
   }
   for (const double share : effect.facet) effect.energy += share;
   return effect;

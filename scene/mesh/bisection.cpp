@@ -1,60 +1,16 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Planar: newest-vertex bisection of triangles, whose edges are their facets.
+#include "scene/mesh/bisection.h"
+
 #include <algorithm>
 #include <cassert>
 #include <tuple>
 
-#include "scene/problem/gap.h"
-#include "scene/problem/refine.h"
-#include "scene/problem/stretch.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
 
 namespace {
-
-/// The edges that all three sides of the marked cells and conformity ask to be bisected: a cell of which any edge is
-/// bisected has its refinement edge bisected, and so has a contact facet whose counterpart is. Each edge and each cell
-/// at it are looked at once: linear time, and however the refinement edges were chosen on the coarsest mesh, all the
-/// rounds together add no more than a multiple of the cells marked [Karkulik, Pavlicek & Praetorius, Constr. Approx. 38
-/// (2013)].
-std::vector<char> bisected_edges(const Problem<2>& problem, const std::vector<char>& marked) {
-  const Mesh<2>& mesh = problem.mesh;
-  std::vector<std::array<int, 2>> edge_cells(mesh.edges.size(), {-1, -1});
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    for (const int edge : mesh.cell_edges[cell]) {
-      edge_cells[edge][edge_cells[edge][0] == -1 ? 0 : 1] = static_cast<int>(cell);
-    }
-  }
-  std::vector<int> partner(mesh.edges.size(), -1);
-  for (const ContactFacet& pair : problem.contact) {
-    if (pair.second == -1) continue;
-    const int first = mesh.boundary[pair.first].edge, second = mesh.boundary[pair.second].edge;
-    partner[first] = second;
-    partner[second] = first;
-  }
-
-  std::vector<char> bisected(mesh.edges.size(), false);
-  std::vector<int> work;
-  const auto bisect = [&](int edge) {
-    if (bisected[edge]) return;
-    bisected[edge] = true;
-    work.push_back(edge);
-  };
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    if (!marked[cell]) continue;
-    for (const int edge : mesh.cell_edges[cell]) bisect(edge);
-  }
-  while (!work.empty()) {
-    const int edge = work.back();
-    work.pop_back();
-    if (partner[edge] != -1) bisect(partner[edge]);
-    for (const int cell : edge_cells[edge]) {
-      if (cell != -1) bisect(mesh.cell_edges[cell][mesh.refinement_edge[cell]]);
-    }
-  }
-  return bisected;
-}
 
 /// What becomes of the edges of the old mesh, in the numbers of the new one.
 struct Halves {
@@ -168,125 +124,65 @@ std::pair<Mesh<2>, std::vector<int>> with_children(Mesh<2> mesh, const Mesh<2>& 
   return {std::move(mesh), std::move(cell_parent)};
 }
 
-/// Halfway between two points of a simplex, in its barycentric coordinates.
-template <std::size_t d> std::array<double, d> halfway(const std::array<double, d>& a, const std::array<double, d>& b) {
-  std::array<double, d> middle;
-  for (std::size_t i = 0; i < d; ++i) {
-    middle[i] = 0.5 * (a[i] + b[i]);
-    // The coordinates are at most 1: a multiple of 2⁻⁵² shifted by one is one still.
-    if ((1 + middle[i]) - 1 == middle[i]) continue;
-    fail(Status::budget, "", "the mesh cannot be refined any further: its cells are 52 halvings small");
-  }
-  return middle;
-}
-
-/// The pieces of the first mesh's cells that the children are.
-std::vector<Piece<2>> pieces_of_cells(const Problem<2>& old, const Mesh<2>& mesh, const std::vector<int>& cell_parent,
-                                      const Halves& halves) {
-  std::vector<Piece<2>> pieces;
-  pieces.reserve(mesh.cells.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int parent = cell_parent[c];
-    const auto& vertices = old.mesh.cells[parent];
-    const Piece<2> whole = piece_of_cell(old, parent);
-    Piece<2> piece{whole.of, {}};
-    for (int i = 0; i < 3; ++i) {
-      const int vertex = mesh.cells[c][i];
-      for (int k = 0; k < 3; ++k) {
-        const auto& [from, to] = Simplex<2>::edges[k];
-        if (vertices[k] == vertex) piece.corner[i] = whole.corner[k];
-        if (halves.midpoint[old.mesh.cell_edges[parent][k]] == vertex)
-          piece.corner[i] = halfway(whole.corner[from], whole.corner[to]);
-      }
-    }
-    pieces.push_back(piece);
-  }
-  return pieces;
-}
-
-/// The first mesh's data on a piece of one of its facets, rounded.
-FacetData<2> on_piece(FacetData<2> data, const Piece<1>& piece) {
-  const FacetData<2> given = data;
-  const double width = piece.corner[1][0] - piece.corner[0][0];
-  for (int i = 0; i < 2; ++i) {
-    const double t = piece.corner[i][0];
-    data.traction[i] = between_ends(given.traction, t);
-    data.pressure[i] = between_ends(given.pressure, t);
-    data.correction[i] = width * between_ends(given.correction, t);
-    data.displacement[i] = between_ends(given.displacement, t);
-    data.normal_displacement[i] = between_ends(given.normal_displacement, t);
-  }
-  return data;
-}
-
-/// Fills the boundary and its data. \return with the first of each old facet's one or two children, in its order
-std::pair<Problem<2>, std::vector<int>> with_boundary(Problem<2> problem, const Problem<2>& old, const Halves& halves) {
-  Mesh<2>& mesh = problem.mesh;
+/// Fills the boundary. \return with the parent of each facet; of two halves the first comes first
+std::pair<Mesh<2>, std::vector<int>> with_boundary(Mesh<2> mesh, const Mesh<2>& old, const Halves& halves) {
   std::vector<int> slot(mesh.edges.size());  // 3 cell + side, the only one where the edge is on the boundary
   for (std::size_t i = 0; i < 3 * mesh.cells.size(); ++i) slot[mesh.cell_edges[i / 3][i % 3]] = static_cast<int>(i);
-  std::vector<int> first_child;
-  for (std::size_t i = 0; i < old.mesh.boundary.size(); ++i) {
-    const auto& facet = old.mesh.boundary[i];
+  std::vector<int> facet_parent;
+  for (std::size_t i = 0; i < old.boundary.size(); ++i) {
+    const auto& facet = old.boundary[i];
     const auto& [a, b] = facet.vertices;
-    const Piece<1> whole = piece_of_facet(old, static_cast<int>(i));
-    const auto add = [&](const std::array<int, 2>& vertices, int edge, const Piece<1>& piece) {
+    const auto add = [&](const std::array<int, 2>& vertices, int edge) {
       mesh.boundary.push_back({vertices, slot[edge] / 3, slot[edge] % 3, edge, facet.part});
-      problem.facets.push_back(on_piece(first_of(old).facets[piece.of], piece));
-      problem.origin.facets.push_back(piece);
+      facet_parent.push_back(static_cast<int>(i));
     };
-    first_child.push_back(static_cast<int>(mesh.boundary.size()));
     const int middle = halves.midpoint[facet.edge];
     if (middle == -1) {
-      add(facet.vertices, halves.first[facet.edge], whole);
+      add(facet.vertices, halves.first[facet.edge]);
     } else {
-      const auto cut = halfway(whole.corner[0], whole.corner[1]);
-      add({a, middle}, half_at(old.mesh, halves, facet.edge, a), {whole.of, {whole.corner[0], cut}});
-      add({middle, b}, half_at(old.mesh, halves, facet.edge, b), {whole.of, {cut, whole.corner[1]}});
+      add({a, middle}, half_at(old, halves, facet.edge, a));
+      add({middle, b}, half_at(old, halves, facet.edge, b));
     }
   }
-  return {std::move(problem), std::move(first_child)};
+  return {std::move(mesh), std::move(facet_parent)};
 }
 
 }  // namespace
 
-template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked) {
-  static_assert(dim == 2);
-  assert(marked.size() == problem.mesh.cells.size());
-  assert(problem.mesh.refinement_edge.size() == problem.mesh.cells.size());
-  Refined<dim> refined;
-  refined.problem.bodies = problem.bodies;
-  refined.problem.sampled = problem.sampled;
-  refined.problem.oscillation = problem.oscillation;
-  refined.problem.length_scale = problem.length_scale;
-  refined.problem.corrections = problem.corrections;
-  refined.problem.carries = problem.carries;
-  refined.problem.imbalance = problem.imbalance;
-  Origin<dim>& origin = refined.problem.origin;
-  origin.first = problem.origin.first ? problem.origin.first : std::make_shared<const Problem<dim>>(problem);
-  auto [mesh, halves] = with_halved_edges(problem.mesh, bisected_edges(problem, marked));
-  std::tie(refined.problem.mesh, refined.cell_parent) = with_children(std::move(mesh), problem.mesh, halves);
-  origin.cells = pieces_of_cells(problem, refined.problem.mesh, refined.cell_parent, halves);
-  std::vector<int> first_child;
-  std::tie(refined.problem, first_child) = with_boundary(std::move(refined.problem), problem, halves);
-  const std::vector<int> contact_of_facet = contacts_by_first(*origin.first);
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    const int first = problem.contact[i].first, second = problem.contact[i].second;
-    const auto add = [&](int one, int other) {
-      const Piece<dim - 1>& piece = refined.problem.origin.facets[one];
-      refined.problem.contact.push_back(on_piece(*origin.first, contact_of_facet[piece.of], one, other, piece));
-      refined.contact_parent.push_back(static_cast<int>(i));
-    };
-    const int one = first_child[first], other = second == -1 ? -1 : first_child[second];
-    if (halves.midpoint[problem.mesh.boundary[first].edge] == -1) {
-      add(one, other);
-    } else {  // the second facet runs the other way
-      add(one, other == -1 ? -1 : other + 1);
-      add(one + 1, other);
+std::vector<char> conforming(const Mesh<2>& mesh, const std::vector<int>& edges, const std::vector<int>& partner) {
+  std::vector<std::array<int, 2>> edge_cells(mesh.edges.size(), {-1, -1});
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    for (const int edge : mesh.cell_edges[cell]) {
+      edge_cells[edge][edge_cells[edge][0] == -1 ? 0 : 1] = static_cast<int>(cell);
     }
   }
-  return refined;
+  std::vector<char> bisected(mesh.edges.size(), false);
+  std::vector<int> work;
+  const auto bisect = [&](int edge) {
+    if (bisected[edge]) return;
+    bisected[edge] = true;
+    work.push_back(edge);
+  };
+  for (const int edge : edges) bisect(edge);
+  while (!work.empty()) {
+    const int edge = work.back();
+    work.pop_back();
+    if (!partner.empty() && partner[edge] != -1) bisect(partner[edge]);
+    for (const int cell : edge_cells[edge]) {
+      if (cell != -1) bisect(mesh.cell_edges[cell][mesh.refinement_edge[cell]]);
+    }
+  }
+  return bisected;
 }
 
-template Refined<2> refine(const Problem<2>&, const std::vector<char>&);
+Bisected bisect(const Mesh<2>& old, const std::vector<char>& edges) {
+  assert(edges.size() == old.edges.size() && old.refinement_edge.size() == old.cells.size());
+  Bisected result;
+  auto [mesh, halves] = with_halved_edges(old, edges);
+  std::tie(mesh, result.cell_parent) = with_children(std::move(mesh), old, halves);
+  std::tie(result.mesh, result.facet_parent) = with_boundary(std::move(mesh), old, halves);
+  result.midpoint = std::move(halves.midpoint);
+  return result;
+}
 
 }  // namespace bracket::scene

@@ -1,12 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: triangles in the plane z = 0, boundary parts of lines.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "scene/mesh/gmsh_file.h"
-#include "scene/mesh/topology.h"
+#include "scene/mesh/readers.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -14,13 +12,14 @@ namespace bracket::scene {
 namespace {
 
 using Tag = GmshFile::Tag;
+using Element = GmshFile::Element;
 
 /// Places of nodes by tag.
 class NodeIndex {
  public:
-  NodeIndex(const GmshFile& file, std::string where) : where_(std::move(where)) {
-    entries_.reserve(file.nodes.size());
-    for (const auto& node : file.nodes) entries_.emplace_back(node.tag, static_cast<int>(entries_.size()));
+  NodeIndex(const std::vector<RawMesh::Node>& nodes, std::string where) : where_(std::move(where)) {
+    entries_.reserve(nodes.size());
+    for (const auto& node : nodes) entries_.emplace_back(node.tag, static_cast<int>(entries_.size()));
     if (!std::is_sorted(entries_.begin(), entries_.end())) std::sort(entries_.begin(), entries_.end());
     const auto twice = std::adjacent_find(entries_.begin(), entries_.end(),
                                           [](const auto& a, const auto& b) { return a.first == b.first; });
@@ -48,137 +47,119 @@ class NodeIndex {
   std::string where_;
 };
 
-/// The physical groups that `elements` are in: numbers, sorted.
-template <typename Elements> std::vector<Tag> groups_of(const Elements& elements) {
-  std::vector<Tag> groups;
-  for (const auto& element : elements) {
-    if (groups.empty() || groups.back() != element.physical) groups.push_back(element.physical);
+/// Version 2.2 writes what is in several groups once for each: of those that have one entity and the same nodes, one is
+/// kept, in all the groups.
+std::vector<Element> without_copies(const std::vector<Element>& elements, std::vector<std::set<Tag>>& groups) {
+  std::map<Tag, int> groups_of_entity;
+  std::set<Tag> in_several;
+  for (const Element& element : elements) {
+    const auto [known, fresh] = groups_of_entity.emplace(element.entity, element.groups);
+    if (!fresh && known->second != element.groups) in_several.insert(element.entity);
   }
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  return groups;
+  if (in_several.empty()) return elements;
+  std::vector<Element> kept;
+  std::map<std::vector<Tag>, std::size_t> place;  // by entity and nodes
+  std::map<std::set<Tag>, int> number;
+  for (const Element& element : elements) {
+    std::size_t here = kept.size();
+    if (in_several.contains(element.entity)) {
+      std::vector<Tag> key(element.nodes.begin(), element.nodes.begin() + element.corners);
+      std::ranges::sort(key);
+      key.push_back(element.entity);
+      here = place.emplace(key, kept.size()).first->second;
+    }
+    if (here == kept.size() || groups[kept[here].groups] == groups[element.groups]) {
+      kept.push_back(element);  // twice in one group is a fault, which is told later on
+      continue;
+    }
+    std::set<Tag> both = groups[kept[here].groups];
+    both.insert(groups[element.groups].begin(), groups[element.groups].end());
+    const auto [known, fresh] = number.emplace(both, static_cast<int>(groups.size()));
+    if (fresh) groups.push_back(both);
+    kept[here].groups = known->second;
+  }
+  return kept;
 }
 
-int place(const std::vector<Tag>& groups, Tag group) {
-  return static_cast<int>(std::lower_bound(groups.begin(), groups.end(), group) - groups.begin());
-}
-
-/// Their names. Two groups of one name would be one body or part in the scene file, so they are refused.
-std::vector<std::string> names_of(const GmshFile& file, Tag dimension, const std::vector<Tag>& groups,
+/// The sets of elements by physical groups or, where none of them is in any, by entities. Two groups of one name would
+/// be one body or part in the scene file, so they are refused.
+std::vector<RawMesh::Set> sets_of(const GmshFile& file, Tag dimension, const std::vector<Element>& elements,
                                   const std::string& where) {
-  std::vector<std::string> names;
-  for (const Tag group : groups) {
-    const auto named = file.names.find({dimension, group});
-    std::string name = named == file.names.end() ? std::to_string(group) : named->second;
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
+  const bool grouped = std::ranges::any_of(elements, [](const Element& element) { return element.groups != 0; });
+  std::map<Tag, std::vector<int>> members;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Element& element = elements[i];
+    if (grouped) {
+      for (const Tag group : file.groups[element.groups]) members[group].push_back(static_cast<int>(i));
+    } else if (element.entity != 0) {
+      members[element.entity].push_back(static_cast<int>(i));
+    }
+  }
+  std::vector<RawMesh::Set> sets;
+  for (auto& [tag, places] : members) {
+    const auto named = file.names.find({dimension, tag});
+    std::string name = !grouped                    ? fmt::format("{}_{}", dimension == 1 ? "curve" : "surface", tag)
+                       : named == file.names.end() ? std::to_string(tag)
+                                                   : named->second;
+    if (std::ranges::find(sets, name, &RawMesh::Set::name) != sets.end())
       fail(Status::mesh, where, fmt::format("two physical groups are named '{}'", name));
+    sets.push_back({std::move(name), std::move(places)});
+  }
+  return sets;
+}
+
+std::vector<RawMesh::Element> raw_elements(const std::vector<Element>& elements, const NodeIndex& index) {
+  std::vector<RawMesh::Element> result;
+  result.reserve(elements.size());
+  for (const Element& element : elements) {
+    const char* kind = element.corners == 2 ? "the line" : element.corners == 3 ? "the triangle" : "the quadrilateral";
+    RawMesh::Element raw{.tag = element.tag};
+    for (int k = 0; k < element.corners; ++k) {
+      raw.corners[k] = index(element.nodes[k], kind, element.tag);
+      if (element.second_order && (element.corners > 2 || k == 0))
+        raw.middles[k] = index(element.nodes[element.corners + k], kind, element.tag);
     }
-    names.push_back(std::move(name));
+    result.push_back(raw);
   }
-  return names;
-}
-
-/// Refuses a mesh whose nodes do not lie in the plane z = 0, to rounding of its size.
-void check_plane(const GmshFile& file, const std::vector<int>& vertex_of_node, const std::string& where) {
-  double size = 0;
-  for (std::size_t i = 0; i < file.nodes.size(); ++i) {
-    if (vertex_of_node[i] >= 0) size = std::max({size, std::abs(file.nodes[i].x[0]), std::abs(file.nodes[i].x[1])});
-  }
-  for (std::size_t i = 0; i < file.nodes.size(); ++i) {
-    if (vertex_of_node[i] < 0 || std::abs(file.nodes[i].x[2]) <= 1e-9 * size) continue;
-    fail(Status::mesh, where,
-         fmt::format("the node {} has z = {}: the mesh is 3D, only meshes in the plane z = 0 are read",
-                     file.nodes[i].tag, file.nodes[i].x[2]));
-  }
-}
-
-void check_triangles(const GmshFile& file, const std::string& where) {
-  if (file.triangles.empty()) {
-    fail(Status::mesh, where,
-         "the mesh has no triangles; Gmsh saves only those in physical surfaces, which name the bodies");
-  }
-  if (file.triangles.size() + file.nodes.size() > std::numeric_limits<int>::max() / 8) {
-    fail(Status::mesh, where, "the mesh is too large");
-  }
-  const auto stray = std::find_if(file.triangles.begin(), file.triangles.end(),
-                                  [](const auto& triangle) { return triangle.physical == 0; });
-  if (stray == file.triangles.end()) return;
-  fail(Status::mesh, where,
-       fmt::format("the triangle {} is in no physical surface; physical surfaces name the bodies", stray->tag));
-}
-
-std::vector<GmshFile::Element<2>> lines_in_groups(const GmshFile& file) {
-  std::vector<GmshFile::Element<2>> lines;
-  std::copy_if(file.lines.begin(), file.lines.end(), std::back_inserter(lines),
-               [](const auto& line) { return line.physical != 0; });
-  return lines;
-}
-
-/// What the digits of a file leave open of its coordinates, by their size: they have as many as the longest of them
-/// has. Fewer than six are not taken for rounding, but for what is meant.
-double rounding_of(const std::vector<Vector<2>>& points) {
-  std::size_t digits = 0;
-  for (const Vector<2>& x : points)
-    for (int c = 0; c < 2; ++c) {
-      const std::string text = fmt::format("{:e}", x[c]);  // the shortest that reads back
-      digits = std::max<std::size_t>(digits, std::count_if(text.begin(), text.begin() + text.find('e'),
-                                                           [](char sign) { return sign >= '0' && sign <= '9'; }));
-    }
-  if (digits < 6 || digits > 15) return std::numeric_limits<double>::epsilon() / 2;
-  return 5 * std::pow(10.0, -static_cast<double>(digits));
+  return result;
 }
 
 }  // namespace
 
-template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& path) {
-  static_assert(dim == 2);
-  const std::string where = path.string();
-  const GmshFile file = read_gmsh_file(path);
-  check_triangles(file, where);
-  const std::vector<Tag> surfaces = groups_of(file.triangles);
-  Mesh<dim> mesh;
-  mesh.bodies = names_of(file, 2, surfaces, where);
-  const NodeIndex index(file, where);
-  std::vector<int> vertex(file.nodes.size(), -1);
-  mesh.cells.reserve(file.triangles.size());
-  mesh.cell_body.reserve(file.triangles.size());
-  for (const auto& triangle : file.triangles) {
-    std::array<int, 3> cell;
-    for (int k = 0; k < 3; ++k) {
-      cell[k] = index(triangle.nodes[k], "the triangle", triangle.tag);
-      vertex[cell[k]] = 0;
-    }
-    mesh.cells.push_back(cell);
-    mesh.cell_body.push_back(place(surfaces, triangle.physical));
-  }
-  check_plane(file, vertex, where);
-  for (std::size_t node = 0; node < vertex.size(); ++node) {
-    if (vertex[node] == -1) continue;
-    vertex[node] = static_cast<int>(mesh.vertices.size());
-    mesh.vertices.push_back({file.nodes[node].x[0], file.nodes[node].x[1]});
-  }
-  mesh.coordinate_rounding = rounding_of(mesh.vertices);
-  for (auto& cell : mesh.cells) {
-    for (int& corner : cell) corner = vertex[corner];
-  }
-
-  const std::vector<GmshFile::Element<2>> lines = lines_in_groups(file);
-  const std::vector<Tag> curves = groups_of(lines);
-  mesh.parts = names_of(file, 1, curves, where);
-  std::vector<PartEdge> part_edges;
-  for (const auto& line : lines) {
-    const int part = place(curves, line.physical);
-    const std::array<int, 2> ends = {vertex[index(line.nodes[0], "the line", line.tag)],
-                                     vertex[index(line.nodes[1], "the line", line.tag)]};
-    if (ends[0] < 0 || ends[1] < 0) {
-      fail(Status::mesh, where,
-           fmt::format("the line {} of '{}' has a node that no triangle has", line.tag, mesh.parts[part]));
-    }
-    part_edges.push_back({ends, part});
-  }
-  return with_topology(std::move(mesh), part_edges, where);
+bool is_gmsh_text(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  constexpr std::string_view blanks = " \t\r\n", heading = "$MeshFormat";
+  const auto word = [&] {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    const std::string_view found = text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(found.size());
+    return found;
+  };
+  if (word() != heading) return false;
+  const std::string_view version = word();
+  return (version == "2.2" || version == "4.1") && word() == "0";
 }
 
-template Mesh<2> read_gmsh(const std::filesystem::path&);
+RawMesh read_gmsh(const std::filesystem::path& path) {
+  const std::string where = path.string();
+  GmshFile file = read_gmsh_file(path);
+  RawMesh raw;
+  raw.body_word = "physical surface";
+  raw.nodes = std::move(file.nodes);
+  raw.coordinate_rounding = rounding_of(raw.nodes);
+  file.cells = without_copies(file.cells, file.groups);
+  file.lines = without_copies(file.lines, file.groups);
+  const NodeIndex index(raw.nodes, where);
+  raw.cells = raw_elements(file.cells, index);
+  raw.lines = raw_elements(file.lines, index);
+  raw.bodies = sets_of(file, 2, file.cells, where);
+  raw.parts = sets_of(file, 1, file.lines, where);
+  for (const Tag group : file.named_points) {
+    const auto named = file.names.find({0, group});
+    raw.notes.push_back(fmt::format("the points '{}' are no boundary part and are ignored",
+                                    named == file.names.end() ? std::to_string(group) : named->second));
+  }
+  return raw;
+}
 
 }  // namespace bracket::scene

@@ -2,34 +2,36 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
+
+#include "scene/mesh/raw_mesh.h"
 
 /// The text of a Gmsh file, before it is a mesh.
 namespace bracket::scene {
 
 struct GmshFile {
-  using Tag = std::int64_t;
-  struct Node {
+  using Tag = RawMesh::Tag;
+  /// A line, triangle or quadrilateral.
+  struct Element {
     Tag tag;
-    std::array<double, 3> x;
+    Tag entity;  ///< number of its curve or surface, 0: none
+    int groups;  ///< the physical groups it is in: index into `groups`
+    int corners;
+    bool second_order;
+    std::array<Tag, 8> nodes;  ///< corners, then, of second order, a node in the middle of each side
   };
-  template <int n> struct Element {
-    Tag tag;
-    Tag physical;  ///< number of its physical group, 0: none
-    std::array<Tag, n> nodes;
-  };
-  std::vector<Node> nodes;
-  std::vector<Element<2>> lines;
-  std::vector<Element<3>> triangles;
+  std::vector<RawMesh::Node> nodes;
+  std::vector<Element> lines, cells;
+  std::vector<std::set<Tag>> groups = {{}};          ///< numbers; the first: in none
   std::map<std::pair<Tag, Tag>, std::string> names;  ///< of physical groups, by dimension and number
+  std::set<Tag> named_points;                        ///< physical groups of points
 };
 
-/// \throw Error (input: no such file; mesh: not ASCII 2.2 or 4.1, truncated, other elements than points, lines and
-///        triangles of first order)
+/// \throw Error (input: no such file; mesh: not ASCII 2.2 or 4.1, truncated, elements of another kind)
 GmshFile read_gmsh_file(const std::filesystem::path& file);
 
 }  // namespace bracket::scene

@@ -10,7 +10,8 @@
 
 namespace bracket::scene {
 
-/// A conforming triangulation of all bodies; bodies share no vertices, each hangs together through edges.
+/// A conforming triangulation of all bodies. Components share no vertices, each hangs together through edges; a body
+/// belongs to one component.
 template <int dim> struct Mesh {
   std::vector<Vector<dim>> vertices;
   std::vector<std::array<int, dim + 1>> cells;  ///< vertices, in an order as Simplex has it
@@ -62,11 +63,6 @@ std::array<Vector<dim>, n> positions(const Mesh<dim>& mesh, const std::array<int
   for (std::size_t i = 0; i < n; ++i) x[i] = mesh.vertices[vertices[i]];
   return x;
 }
-
-/// Reads a Gmsh ASCII file, version 2.2 or 4.1, of first-order triangles. Physical surfaces name the bodies, physical
-/// curves the boundary parts. Clockwise cells are turned, with a note. Vertices of no cell are dropped.
-/// \throw Error (input: no such file; mesh: truncated, binary, second order, 3D, empty, degenerate cells, …)
-template <int dim> Mesh<dim> read_gmsh(const std::filesystem::path& file);
 
 /// Counts and shape of a mesh. Angles in degrees.
 struct Quality {

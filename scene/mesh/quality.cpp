@@ -1,17 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "scene/mesh/angles.h"
 #include "scene/scene.h"
 
 namespace bracket::scene {
-
-namespace {
-
-double cross(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-
-}  // namespace
 
 template <int dim> double volume(const Mesh<dim>& mesh, int cell) {
   return volume<dim>(positions(mesh, mesh.cells[cell]));
@@ -34,11 +27,7 @@ template <int dim> Quality quality(const Mesh<dim>& mesh) {
     const double area = volume(mesh, static_cast<int>(cell));
     result.smallest_area = std::min(result.smallest_area, area);
     result.largest_area = std::max(result.largest_area, area);
-    for (int k = 0; k < 3; ++k) {
-      const Vector<dim>& corner = mesh.vertices[mesh.cells[cell][k]];
-      const auto opposite = positions(mesh, facet_vertices(mesh, static_cast<int>(cell), k));
-      const Vector<dim> a = opposite[0] - corner, b = opposite[1] - corner;
-      const double angle = std::atan2(cross(a, b), a.dot(b)) * 180 / std::numbers::pi;
+    for (const double angle : angles(positions(mesh, mesh.cells[cell]))) {
       result.smallest_angle = std::min(result.smallest_angle, angle);
       result.largest_angle = std::max(result.largest_angle, angle);
     }

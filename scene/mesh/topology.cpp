@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
+#include "scene/mesh/raw_mesh.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -19,7 +21,7 @@ namespace bracket::scene {
 namespace {
 
 /// A side of a cell, seen from the lower of its two vertices.
-struct Side {
+struct CellEdge {
   int upper;  // the other vertex
   int slot;   // 3 cell + side
 };
@@ -57,22 +59,8 @@ Mesh<2> turned(Mesh<2> mesh, const std::string& where) {
   return mesh;
 }
 
-void check_bodies_apart(const Mesh<2>& mesh, const std::string& where) {
-  std::vector<int> body(mesh.vertices.size(), -1);
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    for (const int vertex : mesh.cells[cell]) {
-      if (body[vertex] == -1) body[vertex] = mesh.cell_body[cell];
-      if (body[vertex] == mesh.cell_body[cell]) continue;
-      fail(Status::mesh, where,
-           fmt::format("the bodies '{}' and '{}' share the node at {}; each body needs nodes of its own (in the .geo: "
-                       "duplicate the points and curves where bodies touch)",
-                       mesh.bodies[body[vertex]], mesh.bodies[mesh.cell_body[cell]], point(mesh.vertices[vertex])));
-    }
-  }
-}
-
 /// Two cells on one edge must lie on different sides of it: one walks it up, the other down.
-void check_neighbours(const Mesh<2>& mesh, const Side* sides, std::ptrdiff_t count, const std::string& where) {
+void check_neighbours(const Mesh<2>& mesh, const CellEdge* sides, std::ptrdiff_t count, const std::string& where) {
   const std::array<int, 2> edge = ends(mesh, sides[0].slot);
   if (count == 2 && edge != ends(mesh, sides[1].slot)) return;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -85,41 +73,6 @@ void check_neighbours(const Mesh<2>& mesh, const Side* sides, std::ptrdiff_t cou
   }
   fail(Status::mesh, where,
        fmt::format("{} at the edge {}", count > 2 ? "more than two cells meet" : "cells overlap", edge_at(mesh, edge)));
-}
-
-/// Fills edges, cell_edges and boundary. Sides are put into one bucket per lower vertex, which a few others share: the
-/// edges come out sorted, in linear time.
-Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
-  const int slots = 3 * static_cast<int>(mesh.cells.size());
-  std::vector<int> start(mesh.vertices.size() + 1, 0);
-  for (int slot = 0; slot < slots; ++slot) ++start[std::ranges::min(ends(mesh, slot)) + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Side> sides(slots);
-  std::vector<int> next(start.begin(), start.end() - 1);
-  for (int slot = 0; slot < slots; ++slot) {
-    const auto [lower, upper] = std::ranges::minmax(ends(mesh, slot));
-    sides[next[lower]++] = {upper, slot};
-  }
-  mesh.cell_edges.resize(mesh.cells.size());
-  mesh.edges.reserve(mesh.cells.size() * 3 / 2 + mesh.cells.size() / 16);
-  for (std::size_t lower = 0; lower < mesh.vertices.size(); ++lower) {
-    const auto bucket = sides.begin() + start[lower];
-    const auto bucket_end = sides.begin() + start[lower + 1];
-    std::sort(bucket, bucket_end,
-              [](const Side& a, const Side& b) { return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot; });
-    for (auto side = bucket; side != bucket_end;) {
-      const int edge = static_cast<int>(mesh.edges.size());
-      mesh.edges.push_back({static_cast<int>(lower), side->upper});
-      const auto last = std::find_if(side, bucket_end, [&](const Side& other) { return other.upper != side->upper; });
-      if (last - side > 1) {
-        check_neighbours(mesh, &*side, last - side, where);
-      } else {
-        mesh.boundary.push_back({ends(mesh, side->slot), side->slot / 3, side->slot % 3, edge, -1});
-      }
-      for (; side != last; ++side) mesh.cell_edges[side->slot / 3][side->slot % 3] = edge;
-    }
-  }
-  return mesh;
 }
 
 /// Bisection cuts the longest edge of each coarse cell first: the shapes of its descendants are then the best. Among
@@ -166,16 +119,18 @@ Mesh<2> with_components(Mesh<2> mesh) {
   return mesh;
 }
 
-/// Each body must be a component, and not hang by a point.
+/// Each body must belong to one component, and not hang by a point.
 void check_connected(const Mesh<2>& mesh, const std::string& where) {
   std::vector<int> first(mesh.bodies.size(), -1);
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     int& known = first[mesh.cell_body[cell]];
     if (known == -1) known = cell;
     if (mesh.cell_component[known] == mesh.cell_component[cell]) continue;
+    const std::string mend = coinciding_nodes(mesh, mesh.cell_body[cell]);
     fail(Status::mesh, where,
-         fmt::format("the body '{}' falls into pieces: no chain of cells leads from {} to {}; make each a body",
-                     mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, cell))));
+         fmt::format("the body '{}' falls into pieces: no chain of cells leads from {} to {}; {}",
+                     mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, cell)),
+                     mend.empty() ? "make each a body" : mend));
   }
   std::vector<int> facets(mesh.vertices.size(), 0);
   for (const auto& facet : mesh.boundary) {
@@ -188,7 +143,7 @@ void check_connected(const Mesh<2>& mesh, const std::string& where) {
   }
 }
 
-Mesh<2> with_parts(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
+Mesh<2> with_parts(Mesh<2> mesh, const std::vector<PartEdge>& part_edges) {
   std::vector<int> facet_of_edge(mesh.edges.size(), -1);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     facet_of_edge[mesh.boundary[facet].edge] = static_cast<int>(facet);
@@ -196,34 +151,83 @@ Mesh<2> with_parts(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const 
   for (const PartEdge& given : part_edges) {
     const std::array<int, 2> key = {std::ranges::min(given.vertices), std::ranges::max(given.vertices)};
     const auto edge = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key);
-    const bool found = edge != mesh.edges.end() && *edge == key;
-    const int facet = found ? facet_of_edge[edge - mesh.edges.begin()] : -1;
-    if (facet == -1) {
-      fail(Status::mesh, where,
-           fmt::format("the line {} of '{}' is not on the boundary of a body, but {}", edge_at(mesh, given.vertices),
-                       mesh.parts[given.part], found ? "inside of it" : "no edge of the mesh"));
-    }
-    int& part = mesh.boundary[facet].part;
-    if (part != -1 && part != given.part) {
-      fail(Status::mesh, where,
-           fmt::format("the line {} belongs to both '{}' and '{}'", edge_at(mesh, given.vertices), mesh.parts[part],
-                       mesh.parts[given.part]));
-    }
-    part = given.part;
+    assert(edge != mesh.edges.end() && *edge == key && facet_of_edge[edge - mesh.edges.begin()] != -1);
+    mesh.boundary[facet_of_edge[edge - mesh.edges.begin()]].part = given.part;
   }
   return mesh;
 }
 
 }  // namespace
 
-Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
+// Sides are put into one bucket per lower vertex, which a few others share: the
+// edges come out sorted, in linear time.
+Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   mesh = turned(std::move(mesh), where);
-  check_bodies_apart(mesh, where);
-  mesh = with_edges(std::move(mesh), where);
+  const int slots = 3 * static_cast<int>(mesh.cells.size());
+  std::vector<int> start(mesh.vertices.size() + 1, 0);
+  for (int slot = 0; slot < slots; ++slot) ++start[std::ranges::min(ends(mesh, slot)) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<CellEdge> sides(slots);
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for (int slot = 0; slot < slots; ++slot) {
+    const auto [lower, upper] = std::ranges::minmax(ends(mesh, slot));
+    sides[next[lower]++] = {upper, slot};
+  }
+  mesh.cell_edges.resize(mesh.cells.size());
+  mesh.edges.reserve(mesh.cells.size() * 3 / 2 + mesh.cells.size() / 16);
+  for (std::size_t lower = 0; lower < mesh.vertices.size(); ++lower) {
+    const auto bucket = sides.begin() + start[lower];
+    const auto bucket_end = sides.begin() + start[lower + 1];
+    std::sort(bucket, bucket_end, [](const CellEdge& a, const CellEdge& b) {
+      return a.upper != b.upper ? a.upper < b.upper : a.slot < b.slot;
+    });
+    for (auto side = bucket; side != bucket_end;) {
+      const int edge = static_cast<int>(mesh.edges.size());
+      mesh.edges.push_back({static_cast<int>(lower), side->upper});
+      const auto last =
+          std::find_if(side, bucket_end, [&](const CellEdge& other) { return other.upper != side->upper; });
+      if (last - side > 1) {
+        check_neighbours(mesh, &*side, last - side, where);
+      } else {
+        mesh.boundary.push_back({ends(mesh, side->slot), side->slot / 3, side->slot % 3, edge, -1});
+      }
+      for (; side != last; ++side) mesh.cell_edges[side->slot / 3][side->slot % 3] = edge;
+    }
+  }
+  return mesh;
+}
+
+std::string coinciding_nodes(const Mesh<2>& mesh, int body) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : mesh.edges) shortest = std::min(shortest, (mesh.vertices[b] - mesh.vertices[a]).norm());
+  std::set<int> of_body;
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+    if (mesh.cell_body[cell] == body) of_body.insert(mesh.cells[cell].begin(), mesh.cells[cell].end());
+  const std::vector<int> vertices(of_body.begin(), of_body.end());
+  std::vector<Vector<2>> points;
+  for (const int vertex : vertices) points.push_back(mesh.vertices[vertex]);
+  const double distance = std::pow(10, std::floor(std::log10(1e-6 * shortest)));
+  const std::vector<int> first = merged(points, distance);
+  int count = 0;
+  Vector<2> at = {0, 0};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == static_cast<int>(i)) continue;
+    if (count++ == 0) at = points[i];
+  }
+  if (count == 0) return "";
+  return fmt::format("{} node{} with others, at {} for one; to make them one, write --set mesh.merge={:.0e}", count,
+                     count == 1 ? " coincides" : "s coincide", point(at), distance);
+}
+
+Mesh<2> completed(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
   mesh.refinement_edge = longest_edges(mesh);
   mesh = with_components(std::move(mesh));
   check_connected(mesh, where);
-  return with_parts(std::move(mesh), part_edges, where);
+  return with_parts(std::move(mesh), part_edges);
+}
+
+Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
+  return completed(with_edges(std::move(mesh), where), part_edges, where);
 }
 
 }  // namespace bracket::scene

@@ -11,12 +11,22 @@ struct PartEdge {
   int part;
 };
 
-/// `mesh`, of which vertices, cells, cell_body, bodies and parts are given, with the rest: clockwise cells turned (with
-/// a note), edges and boundary facets (both sorted by their vertices, lower index first), the facets' parts, the
-/// components and, as the refinement edge of each cell, its longest.
+/// `mesh`, of which vertices, cells, cell_body, bodies and parts are given, with edges and boundary facets (both sorted
+/// by their vertices, lower index first). Clockwise cells are turned, with a note.
 /// \pre every vertex has a cell
-/// \throw Error (mesh), at `where`: degenerate, duplicate or overlapping cells, an edge with more than two, bodies that
-///        share vertices, fall into pieces or hang by a point, part edges off the boundary or in two parts
+/// \throw Error (mesh), at `where`: degenerate, duplicate or overlapping cells, an edge with more than two
+Mesh<2> with_edges(Mesh<2> mesh, const std::string& where);
+
+/// `mesh` as with_edges() makes it, with the facets' parts, the components and, as the refinement edge of each cell,
+/// its longest. \pre the part edges lie on the boundary \throw Error (mesh), at `where`: a body that falls into pieces
+/// or hangs by a point
+Mesh<2> completed(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where);
+
+/// Why a body may fall into pieces: how many of its nodes lie on others, by a millionth of the shortest edge, and how
+/// to mend it; empty: none.
+std::string coinciding_nodes(const Mesh<2>& mesh, int body);
+
+/// completed() after with_edges().
 Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where);
 
 }  // namespace bracket::scene

@@ -7,7 +7,9 @@
 #include "scene/problem/gap.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
+#include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
+#include "scene/problem/sides.h"
 #include "scene/problem/support.h"
 #include "scene/range.h"
 #include "scene/text.h"
@@ -15,18 +17,6 @@
 namespace bracket::scene {
 
 namespace {
-
-/// \param others names that might be meant as well
-int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where,
-               const std::vector<std::string>& others = {}) {
-  const auto found = std::find(mesh.parts.begin(), mesh.parts.end(), name);
-  if (found == mesh.parts.end()) {
-    std::vector<std::string> known = others;
-    known.insert(known.end(), mesh.parts.begin(), mesh.parts.end());
-    fail(Status::input, where, fmt::format("the mesh has no boundary part '{}': {}", name, suggestion(name, known)));
-  }
-  return static_cast<int>(found - mesh.parts.begin());
-}
 
 std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
   std::vector<std::string> given;
@@ -57,30 +47,6 @@ std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh
     conditions[part_named(mesh, name, condition.where)] = &condition;
   }
   return conditions;
-}
-
-/// The facets in contact, pair by pair; gaps are still to be filled in.
-std::vector<ContactFacet> contact_of(const Scene<2>& scene, const Mesh<2>& mesh) {
-  std::vector<ContactFacet> contact;
-  for (std::size_t i = 0; i < scene.contact.size(); ++i) {
-    const ContactPair<2>& pair = scene.contact[i];
-    const int first = part_named(mesh, pair.first, pair.where);
-    if (pair.second == "rigid") {
-      if (std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end()) {
-        fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
-      }
-      for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
-        if (mesh.boundary[facet].part != first) continue;
-        contact.push_back({static_cast<int>(i), static_cast<int>(facet), -1, {}, {}});
-      }
-    } else {
-      const int second = part_named(mesh, pair.second, pair.where, {"rigid"});
-      for (const auto& [one, other] : match_sides(mesh, first, second, pair.where)) {
-        contact.push_back({static_cast<int>(i), one, other, {}, {}});
-      }
-    }
-  }
-  return contact;
 }
 
 /// Largest error and largest value over facets.
@@ -114,11 +80,12 @@ std::vector<char> directed(const Mesh<2>& mesh, const std::vector<const Conditio
   return result;
 }
 
-FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
+FixedFacets fix_facets(const Scene<2>& scene, const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
                        const std::vector<ContactFacet>& contact) {
   FixedFacets fixed;
   fixed.facets.resize(mesh.boundary.size());
-  const std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
+  std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
+  normals = with_directions_of_contact(scene, std::move(normals), contact);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
     FacetData<2>& data = fixed.facets[facet];
@@ -155,18 +122,18 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     ContactFacet& facet = problem.contact[i];
     const ContactPair<2>& pair = scene.contact[facet.pair];
-    const auto& [v, w] = problem.mesh.boundary[facet.first].vertices;
-    const Vector<2>&a = problem.mesh.vertices[v], &b = problem.mesh.vertices[w];
-    if (!pair.gap.is_enclosed()) {
-      const EdgeValues<3> values = interpolate_quadratic(pair.gap, a, b, pair.where);
+    const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
+    if (!pair.gap || !pair.gap->is_enclosed()) {
+      const EdgeValues<3> values =
+          pair.gap ? interpolate_quadratic(*pair.gap, a, b, pair.where) : drawn_gap(scene, problem, facet);
       const auto& [start, end, middle] = values.value;
       facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
       gap.include(values);
-    } else if (const auto quadratic = quadratic_gap(pair.gap, a, b)) {
+    } else if (const auto quadratic = quadratic_gap(*pair.gap, a, b)) {
       facet.lower = quadratic->lower;
       facet.upper = quadratic->upper;
     } else {
-      problem.gaps[i].function = pair.gap;
+      problem.gaps[i].function = *pair.gap;
       problem.gaps[i].where = pair.where;
     }
   }
@@ -187,7 +154,8 @@ bool samples(const Scene<2>& scene) {
                      [&](const auto& part) {
                        return std::any_of(part.second.value.begin(), part.second.value.end(), sampled);
                      }) ||
-         std::any_of(scene.contact.begin(), scene.contact.end(), [&](const auto& pair) { return sampled(pair.gap); });
+         std::any_of(scene.contact.begin(), scene.contact.end(),
+                     [&](const auto& pair) { return pair.gap && sampled(*pair.gap); });
 }
 
 double bounding_box_diagonal(const Mesh<2>& mesh) {
@@ -232,11 +200,12 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   Problem<dim> problem;
   problem.bodies = bodies_of(scene, mesh);
   const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);
-  problem.contact = contact_of(scene, mesh);
-  problem.mesh = with_sides_joined(std::move(mesh), problem.contact);
+  InContact sides = in_contact(scene, std::move(mesh));
+  problem.contact = std::move(sides.contact);
+  problem.mesh = with_sides_joined(std::move(sides.mesh), problem.contact);
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 
-  FixedFacets fixed = fix_facets(problem.mesh, conditions, problem.contact);
+  FixedFacets fixed = fix_facets(scene, problem.mesh, conditions, problem.contact);
   problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
   for (const ContactFacet& facet : problem.contact) {
     problem.facets[facet.first].support = Support::contact;
@@ -244,6 +213,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   }
   const Extent gap = fix_gaps(scene, problem);
   problem.sampled = samples(scene);
+  for (std::string& note : notes_on_lines(problem)) problem.mesh.notes.push_back(std::move(note));
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");

@@ -10,30 +10,18 @@
 #include <limits>
 #include <numeric>
 
+#include "scene/problem/facing.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
 
 namespace {
 
-std::vector<int> facets_of(const Mesh<2>& mesh, int part) {
-  std::vector<int> facets;
-  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
-    if (mesh.boundary[facet].part == part) facets.push_back(static_cast<int>(facet));
-  }
-  return facets;
-}
-
 const Vector<2>& end_of(const Mesh<2>& mesh, int facet, int end) {
   return mesh.vertices[mesh.boundary[facet].vertices[end]];
 }
 
 Vector<2> midpoint(const Mesh<2>& mesh, int facet) { return 0.5 * (end_of(mesh, facet, 0) + end_of(mesh, facet, 1)); }
-
-double tolerance(const Mesh<2>& mesh, int facet) {
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() * midpoint(mesh, facet).cwiseAbs().maxCoeff();
-  return std::max(1e-8 * length(mesh, facet), rounding);
-}
 
 /// A facet's place in a hierarchy of grids: its level is the binary order of its length, the grid of that level is as
 /// wide. Only a few facets can have the same box, however the mesh is graded.
@@ -87,12 +75,11 @@ std::vector<Entry> entries(const Mesh<2>& mesh, const std::vector<int>& facets) 
 
 }  // namespace
 
-std::vector<std::array<int, 2>> match_sides(const Mesh<2>& mesh, int first_part, int second_part,
-                                            const std::string& where) {
-  const std::vector<int> first = facets_of(mesh, first_part);
-  std::vector<Entry> second = entries(mesh, facets_of(mesh, second_part));
+std::optional<std::vector<std::array<int, 2>>> match_sides(const Mesh<2>& mesh, const std::vector<int>& first,
+                                                           const std::vector<int>& second_side) {
+  if (first.size() != second_side.size()) return {};
+  std::vector<Entry> second = entries(mesh, second_side);
   std::vector<std::array<int, 2>> pairs;
-  int unmatched = -1;
   for (const int facet : first) {
     const std::size_t found = pairs.size();
     for (const Box& near : boxes_near(mesh, facet)) {
@@ -104,19 +91,9 @@ std::vector<std::array<int, 2>> match_sides(const Mesh<2>& mesh, int first_part,
       pairs.push_back({facet, match->facet});
       break;
     }
-    if (pairs.size() == found && unmatched == -1) unmatched = facet;
+    if (pairs.size() == found) return {};
   }
-  if (unmatched == -1) {
-    const auto left = std::find_if(second.begin(), second.end(), [](const Entry& entry) { return !entry.taken; });
-    if (left == second.end()) return pairs;
-    unmatched = left->facet;
-  }
-  fail(Status::mesh, where,
-       fmt::format("the sides do not match edge by edge: {0} of {1} edges of '{2}' and {0} of {3} of '{4}' do; the one "
-                   "of '{5}' from {6} to {7} has no counterpart",
-                   pairs.size(), first.size(), mesh.parts[first_part], second.size(), mesh.parts[second_part],
-                   mesh.parts[mesh.boundary[unmatched].part], point(end_of(mesh, unmatched, 0)),
-                   point(end_of(mesh, unmatched, 1))));
+  return pairs;
 }
 
 Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact) {
@@ -130,12 +107,15 @@ Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact
     sets.union_set(onto, vertex);
     target[sets.find_set(onto)] = kept;
   };
+  const auto touch = [&](int one, int other, int facet) {
+    return (mesh.vertices[one] - mesh.vertices[other]).norm() <= tolerance(mesh, facet);
+  };
   for (const ContactFacet& pair : contact) {
     if (pair.second == -1) continue;
     const auto& first = mesh.boundary[pair.first].vertices;
     const auto& second = mesh.boundary[pair.second].vertices;
-    join(first[0], second[1]);
-    join(first[1], second[0]);
+    for (int i = 0; i < 2; ++i)
+      if (touch(first[i], second[1 - i], pair.first)) join(first[i], second[1 - i]);
   }
   double moved = 0;
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {

@@ -13,18 +13,25 @@ namespace bracket::scene {
 
 namespace {
 
-constexpr double coordinate_rounding = 1e-6;  // radians
-
 /// A boundary facet and the angle of its normal, modulo π.
 struct Line {
   double angle;
   int facet;
+  double rounding;  ///< by which the angle may be off, as coordinates are rounded
 };
+
+double rounding_of_angle(const Mesh<2>& mesh, int facet) {
+  constexpr double of_doubles = 0.5e-6, most = 1e-3;
+  double size = 0;
+  for (const Vector<2>& x : positions(mesh, mesh.boundary[facet].vertices))
+    size = std::max(size, x.lpNorm<Eigen::Infinity>());
+  return std::clamp(3 * mesh.coordinate_rounding * size / length(mesh, facet), of_doubles, most);  // 2 √2 rounded up
+}
 
 Line line(const Mesh<2>& mesh, int facet) {
   const Vector<2> n = normal(mesh, facet);
   const bool upper = n[1] > 0 || (n[1] == 0 && n[0] > 0);
-  return {upper ? std::atan2(n[1], n[0]) : std::atan2(-n[1], -n[0]), facet};
+  return {upper ? std::atan2(n[1], n[0]) : std::atan2(-n[1], -n[0]), facet, rounding_of_angle(mesh, facet)};
 }
 
 /// All boundary facets by angle, which begins behind the widest gap on the circle of lines.
@@ -46,17 +53,22 @@ std::vector<Line> sorted_lines(const Mesh<2>& mesh) {
   return lines;
 }
 
-/// Cuts where neighbours differ by more than `step`, and finer what hangs together over more than ten steps. It ends at
-/// the latest when only equal angles hang together.
-std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double step) {
+/// Cuts where neighbours differ by more than `scale` times their rounding, and finer what hangs together over more than
+/// ten of the largest such steps. It ends at the latest when only equal angles hang together.
+std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double scale = 1) {
   std::vector<std::span<const Line>> result;
   for (std::size_t from = 0, to = 1; from < lines.size(); from = to++) {
-    while (to < lines.size() && lines[to].angle - lines[to - 1].angle <= step) ++to;
+    double step = 0;
+    for (; to < lines.size(); ++to) {
+      const double own = scale * (lines[to].rounding + lines[to - 1].rounding);
+      if (lines[to].angle - lines[to - 1].angle > own) break;
+      step = std::max(step, own);
+    }
     const auto cluster = lines.subspan(from, to - from);
     if (cluster.back().angle - cluster.front().angle <= 10 * step) {
       result.push_back(cluster);
     } else {
-      const auto finer = clusters(cluster, step / 10);
+      const auto finer = clusters(cluster, scale / 10);
       result.insert(result.end(), finer.begin(), finer.end());
     }
   }
@@ -105,7 +117,7 @@ Vector<2> direction(const Mesh<2>& mesh, std::span<const Line> cluster, const st
 std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh, const std::vector<char>& counts) {
   std::vector<Vector<2>> normals(mesh.boundary.size());
   const std::vector<Line> lines = sorted_lines(mesh);
-  for (const auto& cluster : clusters(lines, coordinate_rounding)) {
+  for (const auto& cluster : clusters(lines)) {
     const Vector<2> shared = direction(mesh, cluster, counts);
     for (const Line& line : cluster)
       normals[line.facet] = shared.dot(normal(mesh, line.facet)) > 0 ? shared : Vector<2>(-shared);

@@ -5,7 +5,8 @@
 
 namespace bracket::scene {
 
-/// The FacetData::normal of each boundary facet: normals that agree up to sign within 1e-6 rad, and those between which
+/// The FacetData::normal of each boundary facet: normals that agree up to sign within 1e-6 rad, or what the
+/// digits of the mesh's coordinates leave open of them (up to 2e-3), and those between which
 /// others make such steps, become one: at right angles to the chord of the longest straight chain among their facets,
 /// of chains along an axis if there are any. So pressure along it balances the same pressure on the rest of the
 /// contour. Steps that add up to more than 1e-5 rad are a fine arc rather than one straight line: there both angles are

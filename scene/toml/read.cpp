@@ -5,16 +5,13 @@
 
 #include "scene/fault.h"
 #include "scene/text.h"
+#include "scene/toml/contact.h"
 #include "scene/toml/nodes.h"
 #include "scene/toml/override.h"
 
 namespace bracket::scene {
 
 namespace {
-
-[[noreturn]] void refuse(const toml::node& node, const std::string& message) {
-  fail(Status::input, where(node), message);
-}
 
 /// A line of a text, the first being 1, without the blanks around it.
 std::string_view line_of(std::string_view text, std::size_t number) {
@@ -47,10 +44,11 @@ toml::table parse(const std::filesystem::path& file, const std::vector<std::stri
 
 Block<2> read_block(const toml::table& entry) {
   const std::string name = "mesh.block";
-  check_keys(entry, "[[mesh.block]]", {"body", "x", "y", "cells"});
+  check_keys(entry, "[[mesh.block]]", {"body", "name", "x", "y", "cells"});
   Block<2> block;
   block.where = where(entry);
   block.body = text(required(entry, "[[mesh.block]]", "body"), name + ".body");
+  if (const toml::node* own = entry.get("name")) block.name = label(*own, name + ".name");
   const std::array<std::string, 2> axes = {"x", "y"};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::string key = name + "." + axes[axis];
@@ -63,10 +61,11 @@ Block<2> read_block(const toml::table& entry) {
 }
 
 /// A scene that has nothing but its mesh.
-Scene<2> read_mesh(const toml::table& entry, const std::filesystem::path& folder) {
-  check_keys(entry, "[mesh]", {"file", "block"});
+Scene<2> mesh_scene(const toml::table& entry, const std::filesystem::path& folder) {
+  check_keys(entry, "[mesh]", {"file", "merge", "block"});
   Scene<2> scene;
   scene.mesh_where = where(entry);
+  if (const toml::node* merge = entry.get("merge")) scene.merge = number(*merge, "mesh.merge");
   const toml::node* file = entry.get("file");
   const toml::node* blocks = entry.get("block");
   if ((file == nullptr) == (blocks == nullptr)) {
@@ -148,17 +147,6 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   return condition;
 }
 
-ContactPair<2> read_contact(const toml::table& entry) {
-  check_keys(entry, "[[contact]]", {"first", "second", "gap"});
-  ContactPair<2> pair;
-  pair.where = where(entry);
-  pair.first = text(required(entry, "[[contact]]", "first"), "contact.first");
-  pair.second = text(required(entry, "[[contact]]", "second"), "contact.second");
-  const toml::node* gap = entry.get("gap");
-  pair.gap = gap != nullptr ? function(*gap, "contact.gap") : 0.0;
-  return pair;
-}
-
 // ---- [refine], [solve] ----------------------------------------------------------------------------------------------
 
 Refine read_refine(const toml::table& entry) {
@@ -186,12 +174,13 @@ Solve read_solve(const toml::table& entry) {
 template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   static_assert(dim == 2);
   const toml::table root = parse(file, overrides);
-  check_keys(root, "",
-             {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "contact", "refine", "solve"});
+  check_keys(
+      root, "",
+      {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "refine", "solve"});
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
-  Scene<dim> scene = read_mesh(table(required(root, "", "mesh"), "mesh"), file.parent_path());
+  Scene<dim> scene = mesh_scene(table(required(root, "", "mesh"), "mesh"), file.parent_path());
   if (const auto fault = mesh_fault(scene)) refuse(deepest(root, fault->key), fault->message);
   scene.file = file.string();
   if (const toml::node* node = root.get("title")) scene.title = text(*node, "title");
@@ -208,6 +197,11 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
       scene.boundary.emplace(part, read_condition(table(node, "boundary.\"" + part + "\""), part));
     }
   }
+  if (const toml::node* curves = root.get("curves"))
+    for (const auto& [key, node] : table(*curves, "curves")) {
+      const std::string part{key.str()};
+      scene.curves.emplace(part, read_curve(table(node, "curves.\"" + part + "\""), part));
+    }
   if (const toml::node* contact = root.get("contact")) {
     for (const toml::node& pair : tables(*contact, "contact")) scene.contact.push_back(read_contact(*pair.as_table()));
   }

@@ -63,7 +63,7 @@ scene::Scene<2> placed(scene::Scene<2> scene, const Place& place, const scene::t
     else
       condition.value = {place.there(condition.value[0])};
   }
-  for (auto& pair : scene.contact) pair.gap = place.there(pair.gap);
+  for (auto& pair : scene.contact) pair.gap = place.there(*pair.gap);
   return scene;
 }
 

@@ -29,7 +29,9 @@ std::vector<Wrong> of_mesh() {
       {[](auto& s) { s.blocks.clear(); }, {"either a file or blocks"}},
       {[](auto& s) { s.mesh_file = "a.msh"; }, {"either a file or blocks"}},
       {[](auto& s) { s.blocks[1].body = ""; }, {"body must not be empty"}},
-      {[](auto& s) { s.blocks[1].body = "a"; }, {"another block of the body 'a'"}},
+      {[](auto& s) { s.blocks[1].body = "a", ++s.blocks[1].cells[0]; }, {"two blocks of the body 'a'", "whole side"}},
+      {[](auto& s) { s.blocks[1].body = "a", s.blocks[1].range[0][1] += 1; }, {"two blocks of the body 'a'"}},
+      {[](auto& s) { s.blocks[1].body = "a", s.blocks[1].range = s.blocks[0].range; }, {"overlap"}},
       {[](auto& s) {
          s.blocks[1].range[1] = {2, 1};
        },
@@ -67,15 +69,23 @@ std::vector<Wrong> of_the_rest() {
       {[](auto& s) { s.boundary.at("b.top").kind = ConditionKind::traction; }, {"\"b.top\".traction", "has 1"}},
       {[](auto& s) { s.boundary.at("b.top").value.push_back(constant(0)); }, {"\"b.top\".pressure", "has 2"}},
       {[](auto& s) { s.boundary.at("b.top").value[0] = {}; }, {"\"b.top\".pressure", "empty"}},
-      {[](auto& s) { s.contact[0].gap = {}; }, {"the gap of 'a.top'", "empty"}},
+      {[](auto& s) { s.contact[0].gap = Function<2>(); }, {"the gap of 'a.top'", "empty"}},
       {[](auto& s) { s.contact[0].first = "rigid"; }, {"contact.first", "second side"}},
       {[](auto& s) { s.contact[0].first = ""; }, {"contact.first must not be empty"}},
       {[](auto& s) { s.contact[0].second = ""; }, {"contact.second must not be empty"}},
-      {[](auto& s) { s.contact[0].second = "a.top"; }, {"same part 'a.top'"}},
+      {[](auto& s) { s.contact[0].first = std::vector<std::string>{}; }, {"contact.first must name a boundary part"}},
       {[](auto& s) {
-         s.contact.push_back({"a.left", "b.bottom", constant(0)});
+         s.contact[0].first = std::vector<std::string>{"a.top", "a.top"};
        },
-       {"'b.bottom' is in another"}},
+       {"'a.top' is named twice"}},
+      {[](auto& s) {
+         s.contact[0].second = std::vector<std::string>{"b.bottom", "a.top"};
+       },
+       {"'a.top' is named twice"}},
+      {[](auto& s) {
+         s.contact[0].second = std::vector<std::string>{"b.bottom", "rigid"};
+       },
+       {"'rigid' alone"}},
       {[](auto& s) {
          s.contact.push_back({"b.top", "rigid", constant(0)});
        },

@@ -195,10 +195,7 @@ TEST(Data, ContradictionsAreRefused) {
   const auto pressed_by = [&](double p) {  // from a formula, which is no number in the scene file
     return scene_with({{"a.left", {ConditionKind::pressure, {[p](const Vector<2>& x) { return p * x[1]; }}, "here"}}});
   };
-  Scene<2> contact_twice = scene_with({}), same_side = scene_with({}), odd_gap = scene_with({}),
-           unknown_side = scene_with({}), unknown_wall = scene_with({});
-  contact_twice.contact.push_back({"a.left", "b.bottom", constant(0), "here"});
-  same_side.contact[0] = {"a.top", "a.top", constant(0), "here"};
+  Scene<2> odd_gap = scene_with({}), unknown_side = scene_with({}), unknown_wall = scene_with({});
   odd_gap.contact[0].gap = root;
   odd_gap.contact[0].where = "here";
   unknown_side.contact[0].second = "b.botom";
@@ -213,8 +210,6 @@ TEST(Data, ContradictionsAreRefused) {
       {"unknown contact side", {unknown_side, {"'b.botom'", "'b.bottom'"}}},
       {"unknown wall", {unknown_wall, {"'rigd'", "did you mean 'rigid'", "b.bottom"}}},
       {"contact and pressure", {scene_with({{"b.bottom", pressed}}), {"'b.bottom'", "contact", "there"}}},
-      {"two pairs", {contact_twice, {"here:", "'b.bottom'", "another contact pair"}}},
-      {"first is second", {same_side, {"here:", "'a.top'", "same"}}},
       {"body without material", {no_body, {"the scene:", "'b'"}}},
       {"material without body", {other_body, {"here:", "'c'", "did you mean 'a'"}}},
       {"fixed and fixed",

@@ -2,6 +2,7 @@
 #include "tests/scene/inputs.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
@@ -162,6 +163,45 @@ int facet_at(const Mesh<2>& mesh, const std::string& part, const Vector<2>& x) {
     }
   }
   return best;
+}
+
+Scene<2> scene_of(const std::filesystem::path& file, const std::vector<std::string>& bodies,
+                  const std::vector<std::string>& fixed) {
+  Scene<2> scene;
+  scene.mesh_file = file;
+  for (const std::string& name : bodies) scene.bodies.emplace(name, isotropic<2>(1, 0, Plane::strain));
+  for (const std::string& part : fixed)
+    scene.boundary[part] = {ConditionKind::fixed, {constant(0), constant(0)}, "scene:" + part};
+  return scene;
+}
+
+double area(const Mesh<2>& mesh, const std::string& body) {
+  double sum = 0;
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+    if (mesh.bodies[mesh.cell_body[cell]] == body) sum += volume(mesh, static_cast<int>(cell));
+  return sum;
+}
+
+double length_of(const Mesh<2>& mesh, const std::string& part) {
+  double sum = 0;
+  for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet)
+    if (const int own = mesh.boundary[facet].part; own != -1 && mesh.parts[own] == part)
+      sum += length(mesh, static_cast<int>(facet));
+  return sum;
+}
+
+void expect_note(const Mesh<2>& mesh, const std::string& part) {
+  const auto holds = [&](const std::string& note) { return note.find(part) != std::string::npos; };
+  EXPECT_EQ(std::ranges::count_if(mesh.notes, holds), 1) << part << ": " << testing::PrintToString(mesh.notes);
+}
+
+void expect_error(const std::function<void()>& action, Status status, const std::vector<std::string>& named) {
+  const auto error = error_of(action);
+  ASSERT_TRUE(error.has_value()) << named[0];
+  EXPECT_EQ(error->status(), status) << error->what();
+  EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos);
+  for (const std::string& part : named)
+    EXPECT_NE(std::string(error->what()).find(part), std::string::npos) << part << ": " << error->what();
 }
 
 }  // namespace bracket::scene::test

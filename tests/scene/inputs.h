@@ -46,4 +46,17 @@ Scene<2> stacked(int cells, std::map<std::string, Condition<2>> boundary);
 /// The place of the facet of `part` whose midpoint is nearest to x.
 int facet_at(const Mesh<2>& mesh, const std::string& part, const Vector<2>& x);
 
+/// The scene of a mesh file: a material for each of `bodies`, a fixed displacement on each of `fixed` ("scene:" +
+/// part).
+Scene<2> scene_of(const std::filesystem::path& file, const std::vector<std::string>& bodies,
+                  const std::vector<std::string>& fixed = {});
+
+double area(const Mesh<2>& mesh, const std::string& body);
+double length_of(const Mesh<2>& mesh, const std::string& part);
+
+/// Expects one note that holds `part`.
+void expect_note(const Mesh<2>& mesh, const std::string& part);
+/// Expects an error of one line that holds all of `named`.
+void expect_error(const std::function<void()>& action, Status status, const std::vector<std::string>& named);
+
 }  // namespace bracket::scene::test

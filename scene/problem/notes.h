@@ -1,0 +1,17 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/problem/problem.h"
+
+namespace bracket::scene {
+
+/// What is to be said of the lines that slide or touch, one line each: edges that were taken for one straight line
+/// though they are turned by more than the rounding of doubles, and parts that turn at their vertices (by less than the
+/// 20 degrees of a corner), with the largest angle and how far an arc would bulge beyond its chords: a polygon in
+/// contact has a polygon's pressure.
+std::vector<std::string> notes_on_lines(const Problem<2>& problem);
+
+}  // namespace bracket::scene
