@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <bit>
 #include <chrono>
 #include <cstdlib>
 #include <random>
@@ -22,11 +23,19 @@ struct Reader {
 
 std::size_t below(Random& random, std::size_t end) { return random() % std::max<std::size_t>(end, 1); }
 
-/// The text with one fault: a byte, a stretch that is missing, doubled or elsewhere, a word or a line of another text.
+/// Where the word at a place of a text begins and ends.
+std::pair<std::size_t, std::size_t> word_at(const std::string& text, std::size_t at) {
+  constexpr const char* between = " ,\n";
+  const std::size_t before = text.find_last_of(between, at);
+  return {before == std::string::npos ? 0 : before + 1, std::min(text.find_first_of(between, at), text.size())};
+}
+
+/// The text with one fault: a byte, a stretch that is missing, doubled or elsewhere, a word of its own or of others in
+/// the place of another, a line of another text.
 std::string changed(std::string text, const Reader& reader, Random& random) {
   const std::size_t at = below(random, text.size()), length = below(random, 40);
   const std::string stretch = text.substr(at, length);
-  switch (random() % 8) {
+  switch (random() % 16) {
     case 0: text[at] = static_cast<char>(random()); break;
     case 1: text[at] = "0123456789-+.eE, \n*$"[random() % 20]; break;
     case 2: text.erase(at, length); break;
@@ -38,16 +47,25 @@ std::string changed(std::string text, const Reader& reader, Random& random) {
       const std::string& other = reader.seeds[below(random, reader.seeds.size())];
       const std::size_t from = below(random, other.size()), start = other.rfind('\n', from) + 1;
       text.insert(text.rfind('\n', at) + 1, other.substr(start, other.find('\n', from) + 1 - start));
+      break;
+    }
+    default: {
+      const auto [from, to] = word_at(text, below(random, text.size()));
+      const std::string word = text.substr(from, std::max(from, to) - from);
+      const auto [begin, end] = word_at(text, at);
+      text.replace(begin, std::max(begin, end) - begin, word);
     }
   }
   return text;
 }
 
-/// The text number `seed` of a reader: one of its seeds with up to eight faults.
+/// The text number `seed` of a reader: the first are its seeds, others one of these with faults, each as likely as all
+/// that follow.
 std::string text_of(const Reader& reader, std::uint64_t seed) {
+  if (seed < reader.seeds.size()) return reader.seeds[seed];
   Random random(seed);
   std::string text = reader.seeds[below(random, reader.seeds.size())];
-  for (std::uint64_t faults = 1 + random() % 8; faults > 0 && !text.empty(); --faults)
+  for (int faults = 1 + std::countr_zero(random() | 256); faults > 0 && !text.empty(); --faults)
     text = changed(std::move(text), reader, random);
   return text;
 }
@@ -74,6 +92,7 @@ Count judge(const Reader& reader, std::uint64_t first, std::uint64_t last) {
       ++count.read;
     } catch (const bracket::scene::Error& error) {
       ++count.refused;
+      if (seed < reader.seeds.size()) fault = error.what();
       if (error.status() != bracket::scene::Status::mesh) fault = error.what();
       if (std::string(error.what()).find('\n') != std::string::npos) fault = "a message of several lines";
     } catch (const std::exception& error) {
@@ -90,8 +109,8 @@ Count judge(const Reader& reader, std::uint64_t first, std::uint64_t last) {
 
 }  // namespace
 
-/// bracket_fuzz_meshes FIRST LAST: gives the readers of mesh files the texts of these numbers, and prints those that
-/// are neither read nor properly refused. Exit status 1 if there were any.
+/// bracket_fuzz_meshes FIRST LAST: gives the readers of mesh files the texts of these numbers, from 0 on, and prints
+/// those that are neither read nor properly refused. Exit status 1 if there were any.
 int main(int argc, char** argv) {
   if (argc != 3) {
     fmt::print(stderr, "usage: bracket_fuzz_meshes FIRST LAST\n");
