@@ -49,6 +49,20 @@ Found block_fault(const Block<2>& block, const Key& key) {
   return {};
 }
 
+/// Whether two blocks have no point in common, a corner, or a whole side that both cut in the same edges.
+bool fit_together(const Block<2>& one, const Block<2>& other) {
+  std::vector<int> across;  // the axes along which they but touch
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto& [from, to] = one.range[axis];
+    const auto& [other_from, other_to] = other.range[axis];
+    if (to < other_from || other_to < from) return true;
+    if (to == other_from || other_to == from) across.push_back(axis);
+  }
+  if (across.size() != 1) return across.size() == 2;
+  const int along = 1 - across[0];
+  return one.range[along] == other.range[along] && one.cells[along] == other.cells[along];
+}
+
 }  // namespace
 
 std::optional<Fault> mesh_fault(const Scene<2>& scene) {
@@ -63,7 +77,6 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene) {
   if (scene.merge > 0 && !scene.blocks.empty())
     return Fault{
         {"mesh", "merge"}, "mesh.merge is for the nodes of a mesh file; blocks have none to merge", scene.mesh_where};
-  std::set<std::string> made;
   double cells = 0;
   for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
     const Block<2>& block = scene.blocks[i];
@@ -72,10 +85,13 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene) {
     cells += 2.0 * block.cells[0] * block.cells[1];
     if (cells > most_cells)
       return Fault{key, fmt::format("the blocks have more than {:.0f} cells together", most_cells), block.where};
-    if (!made.insert(block.body).second) {
-      return Fault{key, fmt::format("there is another block of the body '{}'; a body is one block", block.body),
-                   block.where};
-    }
+    for (std::size_t other = 0; other < i; ++other)
+      if (block.body == scene.blocks[other].body && !fit_together(block, scene.blocks[other]))
+        return Fault{key,
+                     fmt::format("two blocks of the body '{0}' touch or overlap, but not along a whole side of both in "
+                                 "the same edges; expected that, or bodies of their own and a [[contact]]",
+                                 block.body),
+                     block.where};
   }
   for (const auto& [name, body] : scene.bodies) {
     Found fault = unmade_body(scene.blocks, name);

@@ -20,12 +20,14 @@
 namespace bracket::scene {
 
 /// A built-in rectangle of cells[0] × cells[1] squares, each cut in two by the diagonal from its lower left.
-/// Its boundary parts are "body.left", ".right", ".bottom" and ".top".
+/// Its boundary parts are "body.left", ".right", ".bottom" and ".top". Blocks of one body share whole sides, cut in the
+/// same edges; they are one piece, and parts of one name one part.
 template <int dim> struct Block {
   std::string body;
   std::array<std::array<double, 2>, dim> range;  ///< {x from, to}, {y from, to}
   std::array<int, dim> cells;
   std::string where = {};  ///< "file:line:column", for messages; so below
+  std::string name = {};   ///< not empty: its parts are "body.name.left", …
 };
 
 /// What is prescribed on one boundary part. `value`: `dim` functions for fixed (displacement) and traction (force per

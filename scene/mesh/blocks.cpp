@@ -1,5 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // Planar: rectangles of triangles.
+#include <algorithm>
+#include <map>
+#include <tuple>
+
 #include "scene/mesh/readers.h"
 #include "scene/mesh/topology.h"
 #include "scene/text.h"
@@ -8,50 +12,80 @@ namespace bracket::scene {
 
 namespace {
 
-/// The boundary edges of a grid of nx × ny squares whose lower left vertex is `first`; parts in the order left, right,
-/// bottom, top, from `part` on.
-std::vector<PartEdge> grid_boundary(int first, int nx, int ny, int part) {
-  const auto vertex = [=](int i, int j) { return first + j * (nx + 1) + i; };
+/// The boundary edges of a grid of nx × ny squares with these vertices, row by row; of the parts in the order left,
+/// right, bottom, top.
+std::vector<PartEdge> grid_boundary(const std::vector<int>& vertices, int nx, int ny, const std::array<int, 4>& parts) {
+  const auto vertex = [&](int i, int j) { return vertices[j * (nx + 1) + i]; };
   std::vector<PartEdge> edges;
   for (int j = 0; j < ny; ++j) {
-    edges.push_back({{vertex(0, j), vertex(0, j + 1)}, part});
-    edges.push_back({{vertex(nx, j), vertex(nx, j + 1)}, part + 1});
+    edges.push_back({{vertex(0, j), vertex(0, j + 1)}, parts[0]});
+    edges.push_back({{vertex(nx, j), vertex(nx, j + 1)}, parts[1]});
   }
   for (int i = 0; i < nx; ++i) {
-    edges.push_back({{vertex(i, 0), vertex(i + 1, 0)}, part + 2});
-    edges.push_back({{vertex(i, ny), vertex(i + 1, ny)}, part + 3});
+    edges.push_back({{vertex(i, 0), vertex(i + 1, 0)}, parts[2]});
+    edges.push_back({{vertex(i, ny), vertex(i + 1, ny)}, parts[3]});
   }
   return edges;
+}
+
+/// The place of a name in the list, to which it is added if it is not there.
+int place_of(const std::string& name, std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  names.push_back(name);
+  return static_cast<int>(names.size()) - 1;
+}
+
+/// Without those that two blocks of a body share.
+std::vector<PartEdge> outer(const std::vector<PartEdge>& edges) {
+  std::map<std::array<int, 2>, int> times;
+  const auto key = [](const PartEdge& edge) {
+    return std::array{std::ranges::min(edge.vertices), std::ranges::max(edge.vertices)};
+  };
+  for (const PartEdge& edge : edges) ++times[key(edge)];
+  std::vector<PartEdge> result;
+  for (const PartEdge& edge : edges)
+    if (times[key(edge)] == 1) result.push_back(edge);
+  return result;
 }
 
 Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& where) {
   Mesh<2> mesh;
   std::vector<PartEdge> part_edges;
+  std::map<std::tuple<int, double, double>, int> on_sides;  // vertices of each body, which blocks may share
   for (const Block<2>& block : blocks) {
     const auto [nx, ny] = block.cells;
-    const int first = static_cast<int>(mesh.vertices.size());
-    const int body = static_cast<int>(mesh.bodies.size());
+    const int body = place_of(block.body, mesh.bodies);
     const auto at = [&](int axis, int i) {  // exact at both ends, so that blocks meet
       const auto& [from, to] = block.range[axis];
       const int n = block.cells[axis];
       return i == n ? to : from + (to - from) * i / n;
     };
+    std::vector<int> vertices;
     for (int j = 0; j <= ny; ++j) {
-      for (int i = 0; i <= nx; ++i) mesh.vertices.push_back({at(0, i), at(1, j)});
+      for (int i = 0; i <= nx; ++i) {
+        const int next = static_cast<int>(mesh.vertices.size());
+        const bool inside = i > 0 && i < nx && j > 0 && j < ny;
+        vertices.push_back(inside ? next : on_sides.try_emplace({body, at(0, i), at(1, j)}, next).first->second);
+        if (vertices.back() == next) mesh.vertices.push_back({at(0, i), at(1, j)});
+      }
     }
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
-        const int corner = first + j * (nx + 1) + i;
-        mesh.cells.push_back({corner, corner + 1, corner + nx + 2});
-        mesh.cells.push_back({corner, corner + nx + 2, corner + nx + 1});
+        const int* corner = &vertices[j * (nx + 1) + i];
+        mesh.cells.push_back({corner[0], corner[1], corner[nx + 2]});
+        mesh.cells.push_back({corner[0], corner[nx + 2], corner[nx + 1]});
       }
     }
     mesh.cell_body.resize(mesh.cells.size(), body);
-    mesh.bodies.push_back(block.body);
-    for (const PartEdge& edge : grid_boundary(first, nx, ny, 4 * body)) part_edges.push_back(edge);
-    for (const char* side : {".left", ".right", ".bottom", ".top"}) mesh.parts.push_back(block.body + side);
+    std::array<int, 4> parts;
+    for (int side = 0; side < 4; ++side) {
+      static constexpr std::array<const char*, 4> names = {".left", ".right", ".bottom", ".top"};
+      parts[side] = place_of(block.body + (block.name.empty() ? "" : "." + block.name) + names[side], mesh.parts);
+    }
+    for (const PartEdge& edge : grid_boundary(vertices, nx, ny, parts)) part_edges.push_back(edge);
   }
-  return with_topology(std::move(mesh), part_edges, where);
+  return with_topology(std::move(mesh), outer(part_edges), where);
 }
 
 }  // namespace

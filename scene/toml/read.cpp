@@ -47,10 +47,11 @@ toml::table parse(const std::filesystem::path& file, const std::vector<std::stri
 
 Block<2> read_block(const toml::table& entry) {
   const std::string name = "mesh.block";
-  check_keys(entry, "[[mesh.block]]", {"body", "x", "y", "cells"});
+  check_keys(entry, "[[mesh.block]]", {"body", "name", "x", "y", "cells"});
   Block<2> block;
   block.where = where(entry);
   block.body = text(required(entry, "[[mesh.block]]", "body"), name + ".body");
+  if (const toml::node* own = entry.get("name")) block.name = label(*own, name + ".name");
   const std::array<std::string, 2> axes = {"x", "y"};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::string key = name + "." + axes[axis];

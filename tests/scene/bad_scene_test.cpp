@@ -186,8 +186,8 @@ TEST(BadOverride, IsNamed) {
 
 TEST(BadScene, BlocksThatCannotBeAreRefused) {
   Scene<2> scene;
-  scene.blocks = {{"a", {{{0, 1}, {0, 1}}}, {1, 1}, "one"}, {"a", {{{2, 3}, {0, 1}}}, {1, 1}, "other"}};
-  expect_refused([&] { build_mesh(scene); }, "twice", {"other:", "'a'"});
+  scene.blocks = {{"a", {{{0, 1}, {0, 1}}}, {1, 1}, "one"}, {"a", {{{0.5, 1.5}, {0, 1}}}, {1, 1}, "other"}};
+  expect_refused([&] { build_mesh(scene); }, "overlapping", {"other:", "'a'"});
   scene.blocks = {{"a", {{{0, 1}, {0, 1}}}, {2000000000, 2000000000}, "here"}};
   expect_refused([&] { build_mesh(scene); }, "too many", {"here:", "cells"});
   scene.blocks = {{"a", {{{1, 1 + 1e-15}, {0, 1}}}, {8, 8}, "here"}};

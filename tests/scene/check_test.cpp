@@ -29,7 +29,9 @@ std::vector<Wrong> of_mesh() {
       {[](auto& s) { s.blocks.clear(); }, {"either a file or blocks"}},
       {[](auto& s) { s.mesh_file = "a.msh"; }, {"either a file or blocks"}},
       {[](auto& s) { s.blocks[1].body = ""; }, {"body must not be empty"}},
-      {[](auto& s) { s.blocks[1].body = "a"; }, {"another block of the body 'a'"}},
+      {[](auto& s) { s.blocks[1].body = "a", ++s.blocks[1].cells[0]; }, {"two blocks of the body 'a'", "whole side"}},
+      {[](auto& s) { s.blocks[1].body = "a", s.blocks[1].range[0][1] += 1; }, {"two blocks of the body 'a'"}},
+      {[](auto& s) { s.blocks[1].body = "a", s.blocks[1].range = s.blocks[0].range; }, {"overlap"}},
       {[](auto& s) {
          s.blocks[1].range[1] = {2, 1};
        },

@@ -9,6 +9,8 @@
 namespace bracket::scene {
 namespace {
 
+using namespace test;
+
 Mesh<2> blocks() {
   Scene<2> scene;
   scene.blocks = {{"a", {{{0, 3}, {-1, 1}}}, {3, 5}, ""}, {"b", {{{10, 10.7}, {0, 0.1}}}, {7, 1}, ""}};
@@ -150,6 +152,42 @@ TEST(Quality, OfARightTriangle) {
   EXPECT_NEAR(measured.largest_angle, 90, 1e-12);
   EXPECT_NEAR(measured.largest_area, std::sqrt(3.0) / 2, 1e-15);
   EXPECT_NEAR(measured.smallest_area, 0.125, 1e-15);
+}
+
+// An L of three blocks, and the same with a name for its foot: one piece without seams, whose parts go round it.
+TEST(Blocks, OfOneBodyAreOnePiece) {
+  Scene<2> scene;
+  scene.blocks = {{"l", {{{0, 1}, {0, 1}}}, {3, 3}, ""},
+                  {"l", {{{1, 3}, {0, 1}}}, {4, 3}, "", "foot"},
+                  {"l", {{{0, 1}, {1, 2.5}}}, {3, 5}, ""}};
+  scene.bodies.emplace("l", isotropic<2>(1, 0, Plane::strain));
+  const Mesh<2> mesh = build_mesh(scene);
+  EXPECT_EQ(mesh.bodies, (std::vector<std::string>{"l"}));
+  EXPECT_EQ(mesh.components.size(), 1u);
+  EXPECT_EQ(mesh.vertices.size(), 16u + 4 * 4 + 4 * 5);
+  EXPECT_EQ(mesh.cells.size(), 18u + 24 + 30);
+  std::map<std::string, double> lengths;
+  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
+    ASSERT_GE(mesh.boundary[f].part, 0);
+    lengths[mesh.parts[mesh.boundary[f].part]] += length(mesh, static_cast<int>(f));
+  }
+  const std::map<std::string, double> expected = {{"l.left", 2.5},  {"l.bottom", 1},      {"l.top", 1},
+                                                  {"l.right", 1.5}, {"l.foot.bottom", 2}, {"l.foot.right", 1},
+                                                  {"l.foot.top", 2}};
+  ASSERT_EQ(lengths.size(), expected.size());
+  for (const auto& [part, length] : expected) EXPECT_DOUBLE_EQ(lengths.at(part), length) << part;
+}
+
+TEST(Blocks, OfOneBodyThatDoNotHangTogetherAreRefused) {
+  Scene<2> scene;
+  scene.blocks = {{"b", {{{0, 1}, {0, 1}}}, {1, 1}, ""}, {"b", {{{1, 2}, {1, 2}}}, {1, 1}, ""}};
+  scene.bodies.emplace("b", isotropic<2>(1, 0, Plane::strain));
+  for (const double x : {1.0, 1.5}) {
+    scene.blocks[1].range[0] = {x, 2};
+    const auto error = error_of([&] { build_mesh(scene); });
+    ASSERT_TRUE(error.has_value());
+    EXPECT_EQ(error->status(), Status::mesh) << error->what();
+  }
 }
 
 }  // namespace
