@@ -55,6 +55,17 @@ TEST(JoinedBodies, BodiesThatTouchAreMergedInAnyOrder) {
   }
 }
 
+TEST(JoinedBodies, BodiesThatTouchAndAreNeitherJoinedNorInContactAreNamed) {
+  const Folder folder;
+  Scene<2> scene = scene_of(folder.write("a.msh", gmsh_2(two_squares())), {"lower", "upper"});
+  expect_note(build_mesh(scene), "'lower' and 'upper' have 2 nodes at the same places");
+  scene.contact = {{"joint below", "joint above", constant(0), "scene:contact"}};
+  EXPECT_TRUE(build_mesh(scene).notes.empty());
+  scene.contact.clear();
+  scene.merge = 1e-6;
+  EXPECT_EQ(build_mesh(scene).notes.size(), 3u);  // merged; the two names are inside
+}
+
 TEST(JoinedBodies, BodiesThatShareNodesAreOnePieceOfTwoMaterials) {
   const Folder folder;
   const auto file = folder.write("a.msh", gmsh_4(joined_squares()));
