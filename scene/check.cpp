@@ -156,6 +156,36 @@ Found condition_fault(const Scene<2>& scene) {
   return {};
 }
 
+Found obstacle_fault(const Side& side, const Key& key, const std::string& where) {
+  const auto fault = [&](const std::string& message) { return Fault{key, "contact.second: " + message, where}; };
+  std::vector<double> numbers;
+  if (const auto* line = std::get_if<LineObstacle>(&side.obstacle)) {
+    numbers = {line->point[0], line->point[1], line->normal[0], line->normal[1]};
+    if (line->normal.isZero(0)) return fault("the normal of the line must not be zero");
+  } else if (const auto* round = std::get_if<CircleObstacle>(&side.obstacle)) {
+    const auto& [center, radius] = round->circle;
+    numbers = {center[0], center[1], radius};
+    if (!(radius > 0)) return fault(fmt::format("the radius of the circle must be positive, is {}", radius));
+  }
+  for (const double number : numbers)
+    if (const std::string message = size_message(number, "a number"); !message.empty()) return fault(message);
+  if (!numbers.empty() && !side.parts.empty()) return fault("either boundary parts or an obstacle, not both");
+  return {};
+}
+
+Found curve_fault(const Scene<2>& scene) {
+  for (const auto& [part, curve] : scene.curves) {
+    const Key key = {"curves", part};
+    if (!curve.circle) continue;
+    const auto& [center, radius] = *curve.circle;
+    const std::string name = fmt::format("curves.\"{}\".circle", part);
+    for (const double number : {center[0], center[1], radius})
+      if (Found fault = size_fault(key, name, number, curve.where)) return fault;
+    if (radius <= 0) return Fault{key, fmt::format("{}.radius must be positive, is {}", name, radius), curve.where};
+  }
+  return {};
+}
+
 Found contact_fault(const Scene<2>& scene) {
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
@@ -165,11 +195,13 @@ Found contact_fault(const Scene<2>& scene) {
     };
     if (pair.gap && !*pair.gap)
       return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
-    const bool crack = pair.first == pair.second;
+    const bool crack = !is_wall(pair.second) && pair.first.parts == pair.second.parts;
+    if (Found of_obstacle = obstacle_fault(pair.second, with(key, "second"), pair.where)) return of_obstacle;
     std::set<std::string> own;  // parts of this pair
     for (const auto& [side, of] : {std::pair(&pair.first, "first"), std::pair(&pair.second, "second")}) {
-      if (side->parts.empty()) return fault(of, fmt::format("contact.{} must name a boundary part", of));
-      if (side == &pair.second && is_rigid(*side)) continue;
+      if (side->parts.empty() && !(side == &pair.second && is_wall(*side)))
+        return fault(of, fmt::format("contact.{} must name a boundary part", of));
+      if (side == &pair.second && is_wall(*side)) continue;
       for (const std::string& part : side->parts) {
         if (part.empty()) return fault(of, fmt::format("contact.{} must not be empty", of));
         if (part == "rigid")
@@ -214,7 +246,7 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
 }  // namespace
 
 std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
-  for (const auto& find : {body_fault, condition_fault, contact_fault})
+  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault})
     if (Found fault = find(scene)) return fault;
   Found fault = settings_fault(scene.refine, scene.solve);
   if (fault) fault->where = scene.file;
@@ -234,7 +266,13 @@ bool is_rigid(const Side& side) { return side.parts == std::vector<std::string>{
 bool contains(const Side& side, const std::string& part) {
   return std::find(side.parts.begin(), side.parts.end(), part) != side.parts.end();
 }
-std::string name(const Side& side) { return fmt::format("{}", fmt::join(side.parts, ", ")); }
+bool is_wall(const Side& side) { return is_rigid(side) || side.obstacle.index() != 0; }
+std::string name(const Side& side) {
+  if (is_rigid(side)) return "a rigid wall";
+  if (std::holds_alternative<LineObstacle>(side.obstacle)) return "a line";
+  if (std::holds_alternative<CircleObstacle>(side.obstacle)) return "a circle";
+  return fmt::format("{}", fmt::join(side.parts, ", "));
+}
 
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
 void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/fields.h"
@@ -38,19 +39,39 @@ template <int dim> struct Condition {
   std::string where = {};
 };
 
-/// One side of a contact: boundary parts, by name. As a second side also "rigid" alone: a wall along the first.
+struct Circle {
+  Vector<2> center = Vector<2>::Zero();
+  double radius = 0;
+};
+
+/// Obstacles that do not move. Contact with them acts along one direction for each facet of the first mesh: against the
+/// line's normal, or along the facet's own.
+struct LineObstacle {
+  Vector<2> point;
+  Vector<2> normal;  ///< to the side of the bodies, of any length
+};
+struct CircleObstacle {
+  Circle circle;
+  bool inside = false;  ///< whether the bodies are in it
+};
+
+/// One side of a contact: boundary parts, by name. As a second side also "rigid" alone, a wall along the first, or an
+/// obstacle.
 struct Side {
   std::vector<std::string> parts;
+  std::variant<std::monostate, LineObstacle, CircleObstacle> obstacle = {};
 
   Side() = default;
   Side(const char* part) : parts{part} {}
   Side(std::string part) : parts{std::move(part)} {}
   Side(std::vector<std::string> of) : parts(std::move(of)) {}
-  bool operator==(const Side&) const = default;
+  Side(LineObstacle of) : obstacle(std::move(of)) {}
+  Side(CircleObstacle of) : obstacle(std::move(of)) {}
 };
 bool is_rigid(const Side& side);
+bool is_wall(const Side& side);  ///< "rigid" or an obstacle
 bool contains(const Side& side, const std::string& part);
-std::string name(const Side& side);  ///< "a" or "a, b"
+std::string name(const Side& side);  ///< "a", "a, b", "a rigid wall", "a line", "a circle"
 
 /// A frictionless contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
 /// other side is free. The gap is measured from the first side to the second, ≥ 0 open, < 0 interference, and its
@@ -58,7 +79,14 @@ std::string name(const Side& side);  ///< "a" or "a, b"
 template <int dim> struct ContactPair {
   Side first;
   Side second;
-  std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides; none to a wall
+  std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides or to the obstacle; none to a wall
+  std::string where = {};
+};
+
+/// A boundary part that is an arc: vertices that refinement makes are put on it, and the data fixed anew on each mesh,
+/// which then is a problem of its own.
+struct Curve {
+  std::optional<Circle> circle;  ///< nothing: the one through its vertices
   std::string where = {};
 };
 
@@ -88,6 +116,7 @@ template <int dim> struct Scene {
   double merge = 0;  ///< of a mesh file: nodes as close, a length, become one; 0: none
   std::map<std::string, Body<dim>> bodies;
   std::map<std::string, Condition<dim>> boundary;
+  std::map<std::string, Curve> curves;  ///< by boundary part
   std::vector<ContactPair<dim>> contact;
   Refine refine;
   Solve solve;

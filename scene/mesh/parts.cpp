@@ -21,6 +21,8 @@ Uses used_parts(const Scene<2>& scene) {
   Uses uses;
   for (const auto& [part, condition] : scene.boundary)
     uses[part] = condition.where.empty() ? fmt::format("boundary.\"{}\"", part) : condition.where;
+  for (const auto& [part, curve] : scene.curves)
+    uses[part] = curve.where.empty() ? fmt::format("curves.\"{}\"", part) : curve.where;
   for (const ContactPair<2>& pair : scene.contact)
     for (const Side* side : {&pair.first, &pair.second})
       for (const std::string& part : side->parts)
@@ -66,7 +68,7 @@ void check_known(const Uses& uses, const std::vector<RawMesh::Set>& sets, const 
   for (const RawMesh::Set& set : sets) known.push_back(set.name);
   for (const auto& [name, where] : uses) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    if (std::ranges::find(scene.contact, name, &ContactPair<2>::second) != scene.contact.end())
+    if (std::ranges::any_of(scene.contact, [&](const ContactPair<2>& pair) { return contains(pair.second, name); }))
       known.push_back("rigid");
     fail(Status::input, where, fmt::format("the mesh has no {} '{}': {}", word, name, suggestion(name, known)));
   }

@@ -74,13 +74,17 @@ Comparison compare(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, c
   return result;
 }
 
-Vector<2> place(const Mesh<2>& mesh, const Landing& landing) {
-  const auto [a, b] = positions(mesh, mesh.boundary[landing.facet].vertices);
-  return a + landing.t * (b - a);
+/// Where the vertex is missing.
+Vector<2> place(const Mesh<2>& mesh, const Landing& landing, const Arcs& arcs) {
+  const auto& facet = mesh.boundary[landing.facet];
+  const auto [a, b] = positions(mesh, facet.vertices);
+  const Vector<2> x = a + landing.t * (b - a);
+  return facet.part >= 0 && arcs[facet.part] ? onto(*arcs[facet.part], x) : x;
 }
 
-/// The vertices that may slide: inside of a straight line of one part, and opposite to no other vertex yet.
-std::vector<char> movable(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const Comparison& comparison) {
+/// The vertices that may slide: inside of a straight line or an arc of one part, and opposite to no other vertex yet.
+std::vector<char> movable(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const Comparison& comparison,
+                          const Arcs& arcs) {
   std::vector<std::vector<int>> facets(mesh.vertices.size());
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
     for (const int vertex : mesh.boundary[f].vertices) facets[vertex].push_back(static_cast<int>(f));
@@ -88,7 +92,9 @@ std::vector<char> movable(const Mesh<2>& mesh, const std::vector<Vector<2>>& nor
   for (std::size_t v = 0; v < facets.size(); ++v) {
     if (facets[v].size() != 2) continue;
     const int one = facets[v][0], other = facets[v][1];
-    result[v] = mesh.boundary[one].part == mesh.boundary[other].part && normals[one] == normals[other];
+    const int part = mesh.boundary[one].part;
+    const bool on_arc = part >= 0 && arcs[part];
+    result[v] = mesh.boundary[other].part == part && (on_arc || normals[one] == normals[other]);
   }
   for (const auto& partner : comparison.partner)
     for (const auto& [vertex, other] : partner) result[vertex] = 0;
@@ -109,7 +115,7 @@ double smallest_angle_of(const Mesh<2>& mesh, const std::vector<int>& cells) {
 }
 
 /// Slides vertices next to which one is missing, where cells keep their shape. \return how many
-int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_slide, double least) {
+int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_slide, double least, const Arcs& arcs) {
   const auto cells = cells_by_vertex(mesh);
   int count = 0;
   std::set<int> touched;  // facets with an end that slid
@@ -119,7 +125,7 @@ int slide(Mesh<2>& mesh, const Comparison& comparison, std::vector<char> can_sli
     if (!can_slide[nearest] || touched.contains(landing.facet)) continue;
     const Vector<2> before = mesh.vertices[nearest];
     const double allowed = std::min(least, smallest_angle_of(mesh, cells[nearest]));
-    mesh.vertices[nearest] = place(mesh, landing);
+    mesh.vertices[nearest] = place(mesh, landing, arcs);
     if (smallest_angle_of(mesh, cells[nearest]) < allowed) {
       mesh.vertices[nearest] = before;
       continue;
@@ -148,7 +154,7 @@ double angle_of_cut(const Mesh<2>& mesh, int facet, double t) {
 
 /// Halves the longest of the facets where vertices are missing, and puts the midpoint where one is missing if the cells
 /// keep their shape.
-Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double least) {
+Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double least, const Arcs& arcs) {
   struct Cut {
     double angle;
     Vector<2> place;
@@ -158,7 +164,7 @@ Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double l
   std::map<int, Cut> cuts;  // of each facet the best
   for (const Landing& landing : missing) {
     if (length(mesh, landing.facet) <= 0.5 * longest) continue;
-    const Cut cut{angle_of_cut(mesh, landing.facet, landing.t), place(mesh, landing)};
+    const Cut cut{angle_of_cut(mesh, landing.facet, landing.t), place(mesh, landing, arcs)};
     const auto [known, is_new] = cuts.try_emplace(landing.facet, cut);
     if (!is_new && cut.angle > known->second.angle) known->second = cut;
   }
@@ -168,7 +174,7 @@ Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double l
   for (const auto& [facet, cut] : cuts)
     if (cut.angle >= std::min(least, angle_of_cut(mesh, facet, 0.5)))
       bisected.mesh.vertices[bisected.midpoint[mesh.boundary[facet].edge]] = cut.place;
-  return std::move(bisected.mesh);
+  return with_new_vertices_on_arcs(std::move(bisected.mesh), arcs, mesh.vertices.size());
 }
 
 FacetPairs pairs_of(const Mesh<2>& mesh, const SideParts& contact, const std::map<int, int>& partner,
@@ -222,7 +228,7 @@ std::string free_facets(const Mesh<2>& mesh, const SideParts& contact, const Fac
 
 }  // namespace
 
-CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts) {
+CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts, const Arcs& arcs) {
   if (auto pairs = coinciding(mesh, contacts)) return {std::move(mesh), std::move(*pairs)};
   constexpr int most = 200;
   const std::size_t cells = mesh.cells.size();
@@ -249,9 +255,9 @@ CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts) {
       result.mesh = std::move(mesh);
       return result;
     }
-    const int now = slide(mesh, comparison, movable(mesh, normals, comparison), least);
+    const int now = slide(mesh, comparison, movable(mesh, normals, comparison, arcs), least, arcs);
     slid += now;
-    if (now == 0) mesh = halve(mesh, comparison.missing, least);
+    if (now == 0) mesh = halve(mesh, comparison.missing, least, arcs);
   }
   fail(Status::mesh, contacts.front().where,
        fmt::format("the sides of the contacts could not be cut alike in {} steps: mesh them to match", most));

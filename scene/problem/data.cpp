@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "scene/fault.h"
-#include "scene/problem/cutting.h"
-#include "scene/problem/facing.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
 #include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
+#include "scene/problem/sides.h"
 #include "scene/problem/support.h"
 #include "scene/range.h"
 #include "scene/text.h"
@@ -17,18 +16,6 @@
 namespace bracket::scene {
 
 namespace {
-
-/// \param others names that might be meant as well
-int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where,
-               const std::vector<std::string>& others = {}) {
-  const auto found = std::find(mesh.parts.begin(), mesh.parts.end(), name);
-  if (found == mesh.parts.end()) {
-    std::vector<std::string> known = others;
-    known.insert(known.end(), mesh.parts.begin(), mesh.parts.end());
-    fail(Status::input, where, fmt::format("the mesh has no boundary part '{}': {}", name, suggestion(name, known)));
-  }
-  return static_cast<int>(found - mesh.parts.begin());
-}
 
 std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
   std::vector<std::string> given;
@@ -59,52 +46,6 @@ std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh
     conditions[part_named(mesh, name, condition.where)] = &condition;
   }
   return conditions;
-}
-
-std::vector<int> parts_of(const Mesh<2>& mesh, const Side& side, const std::string& where,
-                          const std::vector<std::string>& others) {
-  std::vector<int> parts;
-  for (const std::string& name : side.parts) parts.push_back(part_named(mesh, name, where, others));
-  return parts;
-}
-
-/// A mesh whose contact sides are cut alike, and the facets in contact, pair by pair; gaps are still to be filled in.
-struct InContact {
-  Mesh<2> mesh;
-  std::vector<ContactFacet> contact;
-};
-
-InContact in_contact(const Scene<2>& scene, Mesh<2> mesh) {
-  std::vector<SideParts> sides;  // of the pairs of two bodies
-  std::vector<std::vector<int>> walls;
-  for (const ContactPair<2>& pair : scene.contact) {
-    const std::vector<int> first = parts_of(mesh, pair.first, pair.where, {});
-    walls.push_back(is_rigid(pair.second) ? first : std::vector<int>{});
-    if (is_rigid(pair.second) && std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end())
-      fail(Status::input, pair.where, "'rigid' means a wall, but the mesh has a part of that name; rename the part");
-    if (!is_rigid(pair.second))
-      sides.push_back({first, parts_of(mesh, pair.second, pair.where, {"rigid"}), pair.where});
-  }
-  CutAlike cut = cut_alike(std::move(mesh), sides);
-  InContact result{std::move(cut.mesh), {}};
-  std::size_t of_bodies = 0;
-  std::vector<char> taken(result.mesh.boundary.size(), 0);
-  for (const FacetPairs& pairs : cut.pairs)
-    for (const auto& [one, other] : pairs) taken[one] = taken[other] = 1;
-  for (std::size_t i = 0; i < scene.contact.size(); ++i) {
-    const int pair = static_cast<int>(i);
-    if (!is_rigid(scene.contact[i].second)) {
-      for (const auto& [one, other] : cut.pairs[of_bodies++]) result.contact.push_back({pair, one, other, {}, {}});
-      continue;
-    }
-    for (std::size_t f = 0; f < result.mesh.boundary.size(); ++f) {
-      const int part = result.mesh.boundary[f].part;
-      if (taken[f] || std::find(walls[i].begin(), walls[i].end(), part) == walls[i].end()) continue;
-      taken[f] = 1;
-      result.contact.push_back({pair, static_cast<int>(f), -1, {}, {}});
-    }
-  }
-  return result;
 }
 
 /// Largest error and largest value over facets.
@@ -138,16 +79,12 @@ std::vector<char> directed(const Mesh<2>& mesh, const std::vector<const Conditio
   return result;
 }
 
-FixedFacets fix_facets(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
+FixedFacets fix_facets(const Scene<2>& scene, const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
                        const std::vector<ContactFacet>& contact) {
   FixedFacets fixed;
   fixed.facets.resize(mesh.boundary.size());
   std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
-  for (const ContactFacet& pair : contact) {
-    if (pair.second == -1) continue;
-    normals[pair.first] = direction(normals[pair.first], normals[pair.second]);
-    normals[pair.second] = -normals[pair.first];
-  }
+  normals = with_directions_of_contact(scene, std::move(normals), contact);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
     FacetData<2>& data = fixed.facets[facet];
@@ -181,15 +118,6 @@ EdgeValues<3> given_gap(const Mesh<2>& mesh, const ContactFacet& facet, const Fu
                         const std::string& where) {
   const auto [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
   return interpolate_quadratic(gap, a, b, where);
-}
-
-/// The distance of the two sides along d, linear between the ends; of a wall none.
-EdgeValues<3> drawn_gap(const Mesh<2>& mesh, const ContactFacet& facet, const Vector<2>& d) {
-  if (facet.second == -1) return {};
-  const auto one = positions(mesh, mesh.boundary[facet.first].vertices);
-  const auto other = positions(mesh, mesh.boundary[facet.second].vertices);
-  const double start = (other[1] - one[0]).dot(d), end = (other[0] - one[1]).dot(d);
-  return {{start, end, 0.5 * (start + end)}, 0, std::max(std::abs(start), std::abs(end))};
 }
 
 double bounding_box_diagonal(const Mesh<2>& mesh) {
@@ -239,15 +167,15 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   problem.mesh = with_sides_joined(std::move(sides.mesh), problem.contact);
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 
-  FixedFacets fixed = fix_facets(problem.mesh, conditions, problem.contact);
+  FixedFacets fixed = fix_facets(scene, problem.mesh, conditions, problem.contact);
   problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
   Extent gap;
   for (ContactFacet& facet : problem.contact) {
     problem.facets[facet.first].support = Support::contact;
     if (facet.second != -1) problem.facets[facet.second].support = Support::contact;
     const ContactPair<dim>& pair = scene.contact[facet.pair];
-    const EdgeValues<3> values = pair.gap ? given_gap(problem.mesh, facet, *pair.gap, pair.where)
-                                          : drawn_gap(problem.mesh, facet, problem.facets[facet.first].normal);
+    const EdgeValues<3> values =
+        pair.gap ? given_gap(problem.mesh, facet, *pair.gap, pair.where) : drawn_gap(scene, problem, facet);
     const auto& [start, end, middle] = values.value;
     facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
     gap.include(values);

@@ -14,10 +14,6 @@ namespace bracket::scene {
 
 namespace {
 
-[[noreturn]] void refuse(const toml::node& node, const std::string& message) {
-  fail(Status::input, where(node), message);
-}
-
 std::string type_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
@@ -37,6 +33,8 @@ std::string where(const toml::source_region& source) {
   if (path.starts_with("--set ")) return path;
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
+
+void refuse(const toml::node& node, const std::string& message) { fail(Status::input, where(node), message); }
 
 void check_keys(const toml::table& table, const std::string& name, const std::vector<std::string>& known) {
   for (const auto& [key, node] : table) {
@@ -82,6 +80,12 @@ int integer(const toml::node& node, const std::string& name) {
   if (*value < -largest || *value > largest)
     refuse(node, fmt::format("{} must be an integer of at most {} in size, is {}", name, largest, *value));
   return static_cast<int>(*value);
+}
+
+bool truth(const toml::node& node, const std::string& name) {
+  const auto value = node.value_exact<bool>();
+  if (!value) refuse(node, fmt::format("{} must be true or false, not {}", name, type_of(node)));
+  return *value;
 }
 
 std::string text(const toml::node& node, const std::string& name) {

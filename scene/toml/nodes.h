@@ -12,6 +12,9 @@ namespace bracket::scene {
 std::string where(const toml::source_region& source);
 inline std::string where(const toml::node& node) { return where(node.source()); }
 
+/// Throws Error (input) with the node's place.
+[[noreturn]] void refuse(const toml::node& node, const std::string& message);
+
 /// Refuses keys of `table` that are not `known`.
 void check_keys(const toml::table& table, const std::string& name, const std::vector<std::string>& known);
 
@@ -23,6 +26,7 @@ const toml::node& deepest(const toml::table& root, const std::vector<std::string
 
 double number(const toml::node& node, const std::string& name);  ///< of a size that check_size() allows
 int integer(const toml::node& node, const std::string& name);
+bool truth(const toml::node& node, const std::string& name);
 std::string text(const toml::node& node, const std::string& name);
 std::string label(const toml::node& node, const std::string& name);  ///< a text that is not empty
 /// A value of the option whose names are `option_names<Option>`.

@@ -5,16 +5,13 @@
 
 #include "scene/fault.h"
 #include "scene/text.h"
+#include "scene/toml/contact.h"
 #include "scene/toml/nodes.h"
 #include "scene/toml/override.h"
 
 namespace bracket::scene {
 
 namespace {
-
-[[noreturn]] void refuse(const toml::node& node, const std::string& message) {
-  fail(Status::input, where(node), message);
-}
 
 /// A line of a text, the first being 1, without the blanks around it.
 std::string_view line_of(std::string_view text, std::size_t number) {
@@ -150,26 +147,6 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   return condition;
 }
 
-/// A part, or a list of parts.
-Side read_side(const toml::node& node, const std::string& name) {
-  const toml::array* parts = node.as_array();
-  if (parts == nullptr) return text(node, name);
-  Side side;
-  for (const toml::node& part : *parts) side.parts.push_back(text(part, name));
-  return side;
-}
-
-ContactPair<2> read_contact(const toml::table& entry) {
-  check_keys(entry, "[[contact]]", {"first", "second", "gap"});
-  ContactPair<2> pair;
-  pair.where = where(entry);
-  pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first");
-  pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second");
-  if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
-    pair.gap = function(*gap, "contact.gap");
-  return pair;
-}
-
 // ---- [refine], [solve] ----------------------------------------------------------------------------------------------
 
 Refine read_refine(const toml::table& entry) {
@@ -197,8 +174,9 @@ Solve read_solve(const toml::table& entry) {
 template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   static_assert(dim == 2);
   const toml::table root = parse(file, overrides);
-  check_keys(root, "",
-             {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "contact", "refine", "solve"});
+  check_keys(
+      root, "",
+      {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "refine", "solve"});
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
@@ -219,6 +197,11 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
       scene.boundary.emplace(part, read_condition(table(node, "boundary.\"" + part + "\""), part));
     }
   }
+  if (const toml::node* curves = root.get("curves"))
+    for (const auto& [key, node] : table(*curves, "curves")) {
+      const std::string part{key.str()};
+      scene.curves.emplace(part, read_curve(table(node, "curves.\"" + part + "\""), part));
+    }
   if (const toml::node* contact = root.get("contact")) {
     for (const toml::node& pair : tables(*contact, "contact")) scene.contact.push_back(read_contact(*pair.as_table()));
   }

@@ -38,8 +38,8 @@ TEST(Scene, EveryKeyIsRead) {
   EXPECT_EQ(scene.boundary.at("lower.bottom").kind, ConditionKind::fixed);
   EXPECT_EQ(scene.boundary.at("upper.left").kind, ConditionKind::sliding);
   ASSERT_EQ(scene.contact.size(), 1u);
-  EXPECT_EQ(scene.contact[0].first, "upper.bottom");
-  EXPECT_EQ(scene.contact[0].second, "lower.top");
+  EXPECT_EQ(name(scene.contact[0].first), "upper.bottom");
+  EXPECT_EQ(name(scene.contact[0].second), "lower.top");
   EXPECT_DOUBLE_EQ((*scene.contact[0].gap)({2, 0}), 0.04);
   EXPECT_EQ(scene.refine.strategy, Strategy::none);
   EXPECT_EQ(scene.refine.target, 1e-3);

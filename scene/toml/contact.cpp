@@ -1,0 +1,74 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: lines and circles.
+#include "scene/toml/contact.h"
+
+namespace bracket::scene {
+
+namespace {
+
+Vector<2> pair_of_numbers(const toml::node& node, const std::string& name) {
+  const toml::array& entries = list(node, name, 2);
+  return {number(entries[0], name), number(entries[1], name)};
+}
+
+Circle read_circle(const toml::table& entry, const std::string& name) {
+  check_keys(entry, name, {"center", "radius"});
+  return {pair_of_numbers(required(entry, name, "center"), name + ".center"),
+          number(required(entry, name, "radius"), name + ".radius")};
+}
+
+/// { line = { point, normal } } or { circle = { center, radius }, inside }.
+Side read_obstacle(const toml::table& entry, const std::string& name) {
+  check_keys(entry, name, {"line", "circle", "inside"});
+  if (const toml::node* node = entry.get("circle")) {
+    if (const toml::node* line = entry.get("line")) refuse(*line, name + " is either a line or a circle");
+    CircleObstacle round{read_circle(table(*node, name + ".circle"), name + ".circle")};
+    if (const toml::node* inside = entry.get("inside")) round.inside = truth(*inside, name + ".inside");
+    return round;
+  }
+  if (const toml::node* inside = entry.get("inside")) refuse(*inside, name + ".inside belongs to a circle");
+  const std::string of = name + ".line";
+  const toml::table& line = table(required(entry, name, "line"), of);
+  check_keys(line, of, {"point", "normal"});
+  return LineObstacle{pair_of_numbers(required(line, of, "point"), of + ".point"),
+                      pair_of_numbers(required(line, of, "normal"), of + ".normal")};
+}
+
+/// A part, a list of parts or, of a second side, an obstacle.
+Side read_side(const toml::node& node, const std::string& name, bool second) {
+  if (const toml::table* obstacle = node.as_table(); obstacle != nullptr && second)
+    return read_obstacle(*obstacle, name);
+  const toml::array* parts = node.as_array();
+  if (parts == nullptr) return text(node, name);
+  Side side;
+  for (const toml::node& part : *parts) side.parts.push_back(text(part, name));
+  return side;
+}
+
+}  // namespace
+
+ContactPair<2> read_contact(const toml::table& entry) {
+  check_keys(entry, "[[contact]]", {"first", "second", "gap"});
+  ContactPair<2> pair;
+  pair.where = where(entry);
+  pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first", false);
+  pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second", true);
+  if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
+    pair.gap = function(*gap, "contact.gap");
+  return pair;
+}
+
+Curve read_curve(const toml::table& entry, const std::string& part) {
+  const std::string name = "curves.\"" + part + "\"";
+  check_keys(entry, "[" + name + "]", {"circle"});
+  Curve curve;
+  curve.where = where(entry);
+  const toml::node& circle = required(entry, "[" + name + "]", "circle");
+  if (const toml::table* given = circle.as_table())
+    curve.circle = read_circle(*given, name + ".circle");
+  else if (text(circle, name + ".circle") != "detect")
+    refuse(circle, name + ".circle must be { center = [x, y], radius = r } or \"detect\"");
+  return curve;
+}
+
+}  // namespace bracket::scene

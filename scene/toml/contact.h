@@ -1,0 +1,11 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/toml/nodes.h"
+
+namespace bracket::scene {
+
+ContactPair<2> read_contact(const toml::table& entry);                ///< of [[contact]]
+Curve read_curve(const toml::table& entry, const std::string& part);  ///< of [curves."PART"]
+
+}  // namespace bracket::scene
