@@ -55,6 +55,12 @@ TEST(JoinedBodies, BodiesThatTouchAreMergedInAnyOrder) {
   }
 }
 
+TEST(JoinedBodies, BlocksHaveNoNodesToMerge) {
+  Scene<2> scene = stacked(1, {});
+  scene.merge = 1e-6;
+  expect_error([&] { build_mesh(scene); }, Status::input, {"mesh.merge", "blocks"});
+}
+
 TEST(JoinedBodies, BodiesThatTouchAndAreNeitherJoinedNorInContactAreNamed) {
   const Folder folder;
   Scene<2> scene = scene_of(folder.write("a.msh", gmsh_2(two_squares())), {"lower", "upper"});
