@@ -123,7 +123,10 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
     ContactFacet& facet = problem.contact[i];
     const ContactPair<2>& pair = scene.contact[facet.pair];
     const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    if (!pair.gap || !pair.gap->is_enclosed()) {
+    if (const auto* circle = std::get_if<CircleObstacle>(&pair.second.obstacle); circle != nullptr && !pair.gap) {
+      problem.gaps[i].function = distance(*circle, problem.facets[facet.first].normal);
+      problem.gaps[i].where = pair.where;
+    } else if (!pair.gap || !pair.gap->is_enclosed()) {
       const EdgeValues<3> values =
           pair.gap ? interpolate_quadratic(*pair.gap, a, b, pair.where) : drawn_gap(scene, problem, facet);
       const auto& [start, end, middle] = values.value;

@@ -23,4 +23,10 @@ template <int dim> struct Refined {
 /// rounding of coordinates spoils their shape, or 52 halvings deep
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked);
 
+template <int dim> struct Scene;
+
+/// The mesh that refine() makes, its new vertices on the arcs of the scene, for fix_data(): a problem of its own.
+template <int dim>
+Mesh<dim> finer_mesh(const Scene<dim>& scene, const Problem<dim>& problem, const std::vector<char>& marked);
+
 }  // namespace bracket::scene
