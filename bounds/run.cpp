@@ -76,8 +76,28 @@ std::string spent(const scene::Refine& refine, int meshes, double seconds) {
 
 std::vector<char> inherited(const std::vector<char>& closed, const std::vector<int>& parent) {
   std::vector<char> result;
-  for (const int facet : parent) result.push_back(closed[facet]);
+  for (const int facet : parent) result.push_back(facet < 0 ? 0 : closed[facet]);
   return result;
+}
+
+/// Of each contact facet of a problem, the nearest one of the same pair on the mesh before, −1: none.
+std::vector<int> nearest_contacts(const scene::Problem<2>& before, const scene::Problem<2>& problem) {
+  const auto middle = [](const scene::Problem<2>& of, const scene::ContactFacet& pair) {
+    const auto [a, b] = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
+    return scene::Vector<2>((a + b) / 2);
+  };
+  std::vector<scene::Vector<2>> old;
+  for (const auto& pair : before.contact) old.push_back(middle(before, pair));
+  std::vector<int> nearest;
+  for (const auto& pair : problem.contact) {
+    const scene::Vector<2> x = middle(problem, pair);
+    nearest.push_back(-1);
+    for (std::size_t j = 0; j < old.size(); ++j)
+      if (before.contact[j].pair == pair.pair &&
+          (nearest.back() < 0 || (old[j] - x).squaredNorm() < (old[nearest.back()] - x).squaredNorm()))
+        nearest.back() = static_cast<int>(j);
+  }
+  return nearest;
 }
 
 /// Whether all levels are one problem. Arcs are another polygon on each mesh; data that were changed by hand stay.
@@ -93,7 +113,12 @@ Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const 
   if (!is_one_problem(scene, old)) {
     scene::Mesh<dim> mesh = scene::finer_mesh(scene, problem, marked);
     mesh.notes = old.notes;
-    return {.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree), .notes = old.notes};
+    Meshed<dim> meshed{.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree),
+                       .notes = old.notes};
+    const std::vector<int> nearest = nearest_contacts(problem, meshed.problem);
+    meshed.primal_closed = inherited(examined.primal.closed, nearest);
+    meshed.dual_closed = inherited(examined.dual.closed, nearest);
+    return meshed;
   }
   auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
   return {.problem = std::move(refined),

@@ -216,7 +216,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   }
   const Extent gap = fix_gaps(scene, problem);
   problem.sampled = samples(scene);
-  for (std::string& note : notes_on_lines(problem)) problem.mesh.notes.push_back(std::move(note));
+  for (std::string& note : notes_on_lines(scene, problem)) problem.mesh.notes.push_back(std::move(note));
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");
