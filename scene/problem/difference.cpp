@@ -12,7 +12,7 @@ namespace bracket::scene {
 
 namespace {
 
-constexpr int uniform_panels = 8, halvings = 24;
+constexpr int uniform_panels = 8, halvings = 48;
 
 std::vector<EdgePanel> uniform() {
   std::vector<EdgePanel> panels;

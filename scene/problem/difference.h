@@ -15,7 +15,7 @@ struct EdgePanel {
   double from, to;
 };
 
-/// Eight panels; where the function is not smooth they are halved towards that, 24 times. One panel, where the function
+/// Eight panels; where the function is not smooth they are halved towards that, 48 times. One panel, where the function
 /// is linear for sure; eight, where it is but sampled.
 std::vector<EdgePanel> panels_of(const Function<2>& given, const Vector<2>& a, const Vector<2>& b);
 

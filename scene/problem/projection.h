@@ -9,8 +9,10 @@ namespace bracket::scene {
 
 template <int n> struct EdgeValues {
   std::array<double, n> value;  ///< at the ends a and b (and, for n = 3, at the midpoint)
-  double error = 0;             ///< not less than any difference to the given function; if that is sampled, at points
-  double largest = 0;           ///< not less than its magnitude, at points inside of the edge where that has no bound
+  /// Not less than any difference to the given function; if that is sampled, at points; but for stretches so narrow
+  /// that rounding of coordinates does not tell their ends apart.
+  double error = 0;
+  double largest = 0;  ///< not less than its magnitude, at points inside of the edge where that has no bound
 };
 
 /// L2 projection on linear functions, by composite quadrature: exact for polynomials of degree 8; on panels that are

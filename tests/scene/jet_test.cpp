@@ -191,6 +191,36 @@ TEST(Interval, SumsAndProductsOfShortNumbersAreExact) {
   }
 }
 
+// A fused multiply–add rounds once, so that its sign is that of the exact difference.
+TEST(Interval, RoundedOperationsHoldTheExactValues) {
+  Random random(6);
+  int rounded = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const auto number = [&] {
+      return static_cast<Real>(uniform(random, -1, 1)) * (1 + static_cast<Real>(uniform(random, 0, 1e-9)));
+    };
+    const Real x = number(), y = number();
+    const Interval product = Interval(x) * Interval(y), quotient = Interval(x) / Interval(y),
+                   root = sqrt(Interval(std::abs(x)));
+    EXPECT_GE(std::fma(x, y, -product.lower), 0);
+    EXPECT_LE(std::fma(x, y, -product.upper), 0);
+    const Real sign = y > 0 ? 1 : -1;
+    EXPECT_LE(sign * std::fma(quotient.lower, y, -x), 0);
+    EXPECT_GE(sign * std::fma(quotient.upper, y, -x), 0);
+    EXPECT_LE(std::fma(root.lower, root.lower, -std::abs(x)), 0);
+    EXPECT_GE(std::fma(root.upper, root.upper, -std::abs(x)), 0);
+    for (const Interval& value : {product, quotient, root}) {
+      EXPECT_LE(value.upper - value.lower, 4 * std::numeric_limits<Real>::epsilon() * value.magnitude());
+      rounded += value.is_point() ? 0 : 1;
+    }
+    const Interval sum = Interval(x) + Interval(1e-3L * y);
+    if (std::abs(x) < 2.1e-3L) continue;  // else x and the sum are so close that their difference is exact
+    EXPECT_GE((x - sum.lower) + 1e-3L * y, 0);
+    EXPECT_LE((x - sum.upper) + 1e-3L * y, 0);
+  }
+  EXPECT_GT(rounded, 10000);
+}
+
 TEST(Interval, ElementaryFunctionsUndoEachOther) {
   Random random(5);
   for (int trial = 0; trial < 2000; ++trial) {

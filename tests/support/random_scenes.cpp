@@ -213,7 +213,8 @@ scene::Mesh<2> with_holes(Random& random, const scene::Scene<2>& scene, const sc
   for (char& cell : kept) cell = random.chance(0.15) ? 0 : 1;
   for (const auto& facet : whole.boundary)
     for (const auto& pair : scene.contact)
-      if (whole.parts[facet.part] == pair.first || whole.parts[facet.part] == pair.second) kept[facet.cell] = 1;
+      if (contains(pair.first, whole.parts[facet.part]) || contains(pair.second, whole.parts[facet.part]))
+        kept[facet.cell] = 1;
   scene::Mesh<2> mesh;
   mesh.bodies = whole.bodies;
   mesh.parts = whole.parts;
