@@ -113,7 +113,6 @@ std::string report_json(const Report& report) {
                       {"status", report.running ? "running" : name(outcome.status)},
                       {"reason", outcome.reason},
                       {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
-                      {"moved", report.scene.curves.empty() ? Json() : Json(outcome.moved)},
                       {"plain", plain_json(last)},
                       {"relative_width", relative_width(outcome)},
                       {"relative_error_bound", outcome.relative_error_bound},
@@ -130,6 +129,7 @@ std::string report_json(const Report& report) {
                       {"missing", report.missing},
                       {"notes", outcome.problem.mesh.notes}};
   json.update(found);
+  if (!report.scene.curves.empty()) json["moved"] = outcome.moved;
   return dump(json);
 }
 

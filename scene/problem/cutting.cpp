@@ -53,12 +53,13 @@ std::optional<std::vector<FacetPairs>> coinciding(const Mesh<2>& mesh, const std
   return all;
 }
 
-Comparison compare(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<SideParts>& contacts) {
+Comparison compare(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<SideParts>& contacts,
+                   const Arcs& arcs) {
   Comparison result;
   for (const SideParts& contact : contacts) {
     const std::vector<int> first = facets_of(mesh, contact.first), second = facets_of(mesh, contact.second);
-    std::vector<Landing> all = landings(mesh, normals, first, second);
-    const std::vector<Landing> back = landings(mesh, normals, second, first);
+    std::vector<Landing> all = landings(mesh, normals, first, second, arcs);
+    const std::vector<Landing> back = landings(mesh, normals, second, first, arcs);
     all.insert(all.end(), back.begin(), back.end());
     auto& partner = result.partner.emplace_back();
     for (const Landing& one : all)
@@ -236,7 +237,7 @@ CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts, const A
   int slid = 0;
   for (int round = 0; round < most; ++round) {
     const std::vector<Vector<2>> normals = shared_normals(mesh);
-    const Comparison comparison = compare(mesh, normals, contacts);
+    const Comparison comparison = compare(mesh, normals, contacts, arcs);
     if (comparison.missing.empty()) {
       CutAlike result;
       std::vector<char> taken(mesh.boundary.size(), 0);

@@ -20,18 +20,38 @@ struct Ends {
   std::vector<char> shared;                      ///< whether the facet before says the same of vertex 0
 };
 
-Ends ends_of(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& side) {
+Ends ends_of(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& side,
+             const Arcs& arcs) {
   std::map<int, std::size_t> begins;  // which of the facets begins at a vertex
   for (std::size_t i = 0; i < side.size(); ++i) begins[mesh.boundary[side[i]].vertices[0]] = i;
   Ends ends{{}, std::vector<char>(side.size(), 0)};
+  std::vector<char> continued = ends.shared;  // whether the facet behind says the same of vertex 1
   for (const int facet : side) ends.normal.push_back({normals[facet], normals[facet]});
   for (std::size_t i = 0; i < side.size(); ++i) {
     const auto next = begins.find(mesh.boundary[side[i]].vertices[1]);
     if (next == begins.end()) continue;
     const Vector<2>&one = normals[side[i]], &other = normals[side[next->second]];
     if (one.dot(other) < smooth) continue;
-    ends.shared[next->second] = 1;
+    ends.shared[next->second] = continued[i] = 1;
     if (one != other) ends.normal[i][1] = ends.normal[next->second][0] = (one + other).normalized();
+  }
+  // Where a side ends it goes on bending as it did: the normal is the mirror image of that at the other end.
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const Vector<2>& n = normals[side[i]];
+    auto& [begin, end] = ends.normal[i];
+    const auto mirrored = [&n](const Vector<2>& other) { return Vector<2>(2 * n.dot(other) * n - other); };
+    if (!continued[i] && begin != n)
+      end = mirrored(begin);
+    else if (!ends.shared[i] && end != n)
+      begin = mirrored(end);
+  }
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    const auto& facet = mesh.boundary[side[i]];
+    if (facet.part < 0 || !arcs[facet.part]) continue;
+    for (int end = 0; end < 2; ++end) {
+      const Vector<2> radius = (mesh.vertices[facet.vertices[end]] - arcs[facet.part]->center).normalized();
+      ends.normal[i][end] = radius.dot(normals[side[i]]) > 0 ? radius : Vector<2>(-radius);
+    }
   }
   return ends;
 }
@@ -71,8 +91,8 @@ double tolerance(const Mesh<2>& mesh, int facet) {
 }
 
 std::vector<Landing> landings(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& from,
-                              const std::vector<int>& onto) {
-  const Ends own = ends_of(mesh, normals, from), other = ends_of(mesh, normals, onto);
+                              const std::vector<int>& onto, const Arcs& arcs) {
+  const Ends own = ends_of(mesh, normals, from, arcs), other = ends_of(mesh, normals, onto, arcs);
   std::vector<Landing> result;
   for (std::size_t i = 0; i < from.size(); ++i)
     for (int end = own.shared[i] ? 1 : 0; end < 2; ++end) {

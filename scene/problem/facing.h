@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/mesh/mesh.h"
+#include "scene/mesh/curves.h"
 
 namespace bracket::scene {
 
@@ -23,10 +23,11 @@ Vector<2> direction(const Vector<2>& first, const Vector<2>& second);
 double tolerance(const Mesh<2>& mesh, int facet);
 
 /// For the vertices of the facets `from`, where the nearest of the facets `onto` lies along the direction of both: the
-/// normals at vertices where a side bends by less than 20 degrees are means, linear between. Facets face each other
+/// normals at vertices where a side bends by less than 20 degrees are means, and at its ends go on as they did; linear
+/// between; those of arcs are radial. Facets face each other
 /// where their direction is within 25 degrees of both normals. Vertices that face nothing are left out.
 /// \param normals of all boundary facets
 std::vector<Landing> landings(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& from,
-                              const std::vector<int>& onto);
+                              const std::vector<int>& onto, const Arcs& arcs);
 
 }  // namespace bracket::scene
