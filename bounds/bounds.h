@@ -46,6 +46,9 @@ template <int dim> struct Outcome {
   double upper = std::numeric_limits<double>::infinity();
   double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A; not a
                                                                           ///< number if `unstrained`, but for [0, 0]
+  /// Where parts are arcs each level is the problem of its own polygon, and the bounds are those of the last: by how
+  /// much the middle of the interval moved with the last mesh. Infinite: there is but one level.
+  double moved = std::numeric_limits<double>::infinity();
   bool unstrained = false;  ///< the bodies but follow prescribed displacements and gaps; what is left is rounding
   scene::Problem<dim> problem;
   scene::Displacement<dim> displacement;

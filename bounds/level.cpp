@@ -96,10 +96,11 @@ std::string uncertified(const Level& level) {
       level.cells, level.certificate.reason, worst.name, worst.value);
 }
 
-/// All levels are of one problem, to the last bit: a contradiction proves that some bound is wrong.
-template <int dim> std::string contradiction(const Outcome<dim>& earlier, const Level& level) {
+/// All levels of one problem are so to the last bit: a contradiction proves that some bound is wrong.
+template <int dim> std::string contradiction(const Outcome<dim>& earlier, const Level& level, bool one_problem) {
   const auto [lower, upper] = std::pair(level.bracket.lower, level.bracket.upper);
   const bool crossing = lower > upper;
+  if (!crossing && !one_problem) return "";
   if (!crossing && upper >= earlier.lower && lower <= earlier.upper) return "";
   return fmt::format("{} on {} cells{}: a fault of this program; please report it with the scene",
                      crossing ? "the bounds cross" : "the bounds", level.cells,
@@ -179,16 +180,18 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
 }
 
 template <int dim>
-Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined) {
+Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined,
+                    bool one_problem) {
   const bool first = earlier.levels.empty();
   if (const std::string why = uncertified(examined.level); !why.empty()) return {why, first, !first};
-  if (const std::string why = contradiction(earlier, examined.level); !why.empty()) return {why, true, false};
-  return {risen(earlier, problem, examined), false, true};
+  if (const std::string why = contradiction(earlier, examined.level, one_problem); !why.empty())
+    return {why, true, false};
+  return {one_problem ? risen(earlier, problem, examined) : "", false, true};
 }
 
 template struct Examined<2>;
 template Examined<2> examine(const scene::Scene<2>&, const Meshed<2>&, const std::vector<Level>&, const Clock&,
                              const Observer<2>&);
-template Objection objection(const Outcome<2>&, const scene::Problem<2>&, const Examined<2>&);
+template Objection objection(const Outcome<2>&, const scene::Problem<2>&, const Examined<2>&, bool);
 
 }  // namespace bracket::bounds

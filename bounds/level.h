@@ -48,7 +48,9 @@ struct Objection {
 };
 /// That it has no certificate; that its bounds contradict each other or those of earlier levels; that the upper bound
 /// rose although the sets of admissible displacements are nested.
+/// \param one_problem whether the levels are of one problem; if not, they are not compared
 template <int dim>
-Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined);
+Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& problem, const Examined<dim>& examined,
+                    bool one_problem);
 
 }  // namespace bracket::bounds

@@ -41,7 +41,7 @@ std::optional<Meshed<dim>> with_data_resolved(const scene::Scene<dim>& scene, co
     marked[mesh.boundary[facet].cell] = 1;
     parts.insert(mesh.parts[mesh.boundary[facet].part]);
   }
-  scene::Mesh<dim> finer = scene::refine(meshed.problem, marked).problem.mesh;
+  scene::Mesh<dim> finer = scene::finer_mesh(scene, meshed.problem, marked);
   if (static_cast<double>(finer.cells.size()) > share_of_budget * refine.max_cells) return {};
   const int times = meshed.times_resolved + 1;
   finer.notes = meshed.notes;

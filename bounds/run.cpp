@@ -18,9 +18,16 @@ namespace {
 
 using scene::Status;
 
-/// A run whose last level is new: its bracket is intersected with that of the levels before. Cannot fail.
-template <int dim> Outcome<dim> narrowed(Outcome<dim> outcome) {
+/// A run whose last level is new: its bracket is intersected with that of the levels before; where each level is a
+/// problem of its own it takes its place. Cannot fail.
+template <int dim> Outcome<dim> narrowed(Outcome<dim> outcome, bool one_problem) {
   const Bracket& bracket = outcome.levels.back().bracket;
+  if (!one_problem) {
+    const double middle = bracket.lower + 0.5 * (bracket.upper - bracket.lower);
+    if (outcome.levels.size() > 1) outcome.moved = std::abs(middle - (outcome.lower + outcome.upper) / 2);
+    outcome.lower = -std::numeric_limits<double>::infinity();
+    outcome.upper = -outcome.lower;
+  }
   outcome.lower = std::max(outcome.lower, bracket.lower);
   outcome.upper = std::min(outcome.upper, bracket.upper);
   outcome.relative_error_bound = bracket.relative_error_bound;
@@ -69,17 +76,56 @@ std::string spent(const scene::Refine& refine, int meshes, double seconds) {
 
 std::vector<char> inherited(const std::vector<char>& closed, const std::vector<int>& parent) {
   std::vector<char> result;
-  for (const int facet : parent) result.push_back(closed[facet]);
+  for (const int facet : parent) result.push_back(facet < 0 ? 0 : closed[facet]);
   return result;
+}
+
+/// Of each contact facet of a problem, the nearest one of the same pair on the mesh before, −1: none.
+std::vector<int> nearest_contacts(const scene::Problem<2>& before, const scene::Problem<2>& problem) {
+  const auto middle = [](const scene::Problem<2>& of, const scene::ContactFacet& pair) {
+    const auto [a, b] = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
+    return scene::Vector<2>((a + b) / 2);
+  };
+  std::vector<scene::Vector<2>> old;
+  for (const auto& pair : before.contact) old.push_back(middle(before, pair));
+  std::vector<int> nearest;
+  for (const auto& pair : problem.contact) {
+    const scene::Vector<2> x = middle(problem, pair);
+    nearest.push_back(-1);
+    for (std::size_t j = 0; j < old.size(); ++j)
+      if (before.contact[j].pair == pair.pair &&
+          (nearest.back() < 0 || (old[j] - x).squaredNorm() < (old[nearest.back()] - x).squaredNorm()))
+        nearest.back() = static_cast<int>(j);
+  }
+  return nearest;
+}
+
+/// Whether all levels are one problem. Arcs are another polygon on each mesh; data that were changed by hand stay.
+template <int dim> bool is_one_problem(const scene::Scene<dim>& scene, const Meshed<dim>& meshed) {
+  return meshed.changed || scene.curves.empty();
 }
 
 /// \param marked cells to refine; empty: all. The contact starts from what it was
 template <int dim>
-Meshed<dim> finer(const scene::Problem<dim>& problem, const std::vector<char>& marked, const Examined<dim>& examined) {
-  auto [refined, cell_parent, contact_parent] =
-      scene::refine(problem, marked.empty() ? std::vector<char>(problem.mesh.cells.size(), 1) : marked);
-  return {std::move(refined), inherited(examined.primal.closed, contact_parent),
-          inherited(examined.dual.closed, contact_parent)};
+Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const scene::Problem<dim>& problem,
+                  std::vector<char> marked, const Examined<dim>& examined) {
+  if (marked.empty()) marked.assign(problem.mesh.cells.size(), 1);
+  if (!is_one_problem(scene, old)) {
+    scene::Mesh<dim> mesh = scene::finer_mesh(scene, problem, marked);
+    mesh.notes = old.notes;
+    Meshed<dim> meshed{.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree),
+                       .notes = old.notes};
+    const std::vector<int> nearest = nearest_contacts(problem, meshed.problem);
+    meshed.primal_closed = inherited(examined.primal.closed, nearest);
+    meshed.dual_closed = inherited(examined.dual.closed, nearest);
+    return meshed;
+  }
+  auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
+  return {.problem = std::move(refined),
+          .primal_closed = inherited(examined.primal.closed, contact_parent),
+          .dual_closed = inherited(examined.dual.closed, contact_parent),
+          .changed = old.changed,
+          .notes = old.notes};
 }
 
 /// Ends a run that has not reached its target.
@@ -125,12 +171,12 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         meshed = std::move(*finer_first);
         examined = examine(scene, meshed, outcome.levels, clock, observer);
       }
-      const bool bracketed = examined.unsolved.empty();
+      const bool bracketed = examined.unsolved.empty(), one_problem = is_one_problem(scene, meshed);
       if (bracketed) {
-        const Objection objected = objection(outcome, meshed.problem, examined);
+        const Objection objected = objection(outcome, meshed.problem, examined, one_problem);
         if (objected.reason.empty() || objected.reported) {
           outcome.levels.push_back(examined.level);  // first: what follows cannot fail
-          outcome = narrowed(std::move(outcome));
+          outcome = narrowed(std::move(outcome), one_problem);
           if (examined.unstrained) outcome = unstrained(std::move(outcome));
           outcome.problem = std::move(meshed.problem);
           outcome.displacement = std::move(examined.primal.displacement);
@@ -154,9 +200,10 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       if (observer.stage) observer.stage("refinement");
       const Clock refining;
       size = "more than " + size;
-      meshed = bracketed && refine.strategy == scene::Strategy::adaptive
-                   ? finer(outcome.problem, mark(outcome.problem, outcome.indicator, refine.bulk), examined)
-                   : finer(bracketed ? outcome.problem : meshed.problem, {}, examined);
+      meshed =
+          bracketed && refine.strategy == scene::Strategy::adaptive
+              ? finer(scene, meshed, outcome.problem, mark(outcome.problem, outcome.indicator, refine.bulk), examined)
+              : finer(scene, meshed, bracketed ? outcome.problem : meshed.problem, {}, examined);
       meshed.seconds = refining.seconds();
       size = fmt::format("{} cells", count_of_cells(meshed));
       if (count_of_cells(meshed) > refine.max_cells)

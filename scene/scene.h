@@ -154,8 +154,9 @@ template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 /// interpolated linearly, gaps enclosed between quadratics; cuts the contact sides alike (scene/problem/cutting.h);
 /// gives the facets of one straight line one normal; where displacements are prescribed on both sides of a contact's
 /// vertex and close more than its gap by rounding only (8 ε of their size, the gap's and the length scale), raises the
-/// gap to that. \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs
-/// none \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
+/// gap to that.
+/// \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs none
+/// \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
 ///        displacements that contradict each other at a vertex; mesh: sides that do not face each other)
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh);
 

@@ -113,6 +113,7 @@ std::string report_json(const Report& report) {
                       {"status", report.running ? "running" : name(outcome.status)},
                       {"reason", outcome.reason},
                       {"energy", {{"lower", outcome.lower}, {"upper", outcome.upper}}},
+                      {"moved", report.scene.curves.empty() ? Json() : Json(outcome.moved)},
                       {"plain", plain_json(last)},
                       {"relative_width", relative_width(outcome)},
                       {"relative_error_bound", outcome.relative_error_bound},

@@ -45,8 +45,10 @@ std::string level_table(const Report& report) {
     text += "\n";
   }
   return text +
-         "       (unknowns of either formulation; each level's own bounds, of which the interval is the "
-         "intersection)\n";
+         (report.scene.curves.empty()
+              ? "       (unknowns of either formulation; each level's own bounds, of which the interval is the "
+                "intersection)\n"
+              : "       (unknowns of either formulation; each level's own bounds, of the polygon that its arcs are)\n");
 }
 
 std::string seconds_table(const Report& report) {
@@ -132,8 +134,13 @@ std::string accuracy(const bounds::Outcome<2>& outcome) {
 }
 
 /// Of the problem that the bounds hold for, where it is not quite the scene's.
-std::string what_else(const bounds::Outcome<2>& outcome) {
+std::string what_else(const Report& report) {
+  const bounds::Outcome<2>& outcome = report.outcome;
   std::string text;
+  if (!report.scene.curves.empty())
+    text += "   of the last mesh's polygon" +
+            (std::isfinite(outcome.moved) ? ", moved by " + rounded_up_exponent(outcome.moved) + " from the one before"
+                                          : std::string());
   const double changed = outcome.problem.imbalance;
   // To first order the energy moves by twice the part by which the loads do.
   if (2 * changed > relative_width(outcome))
@@ -153,7 +160,7 @@ std::string what_else(const bounds::Outcome<2>& outcome) {
 std::string headline(const Report& report) {
   if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
   return fmt::format("energy in [{}, {}]   {}{}\n", report.outcome.lower, report.outcome.upper,
-                     accuracy(report.outcome), what_else(report.outcome));
+                     accuracy(report.outcome), what_else(report));
 }
 
 std::string report_text(const Report& report) {

@@ -68,7 +68,8 @@ void check_known(const Uses& uses, const std::vector<RawMesh::Set>& sets, const 
   for (const RawMesh::Set& set : sets) known.push_back(set.name);
   for (const auto& [name, where] : uses) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    if (std::ranges::any_of(scene.contact, [&](const ContactPair<2>& pair) { return contains(pair.second, name); }))
+    if (std::ranges::any_of(scene.contact,
+                            [&used = name](const ContactPair<2>& pair) { return contains(pair.second, used); }))
       known.push_back("rigid");
     fail(Status::input, where, fmt::format("the mesh has no {} '{}': {}", word, name, suggestion(name, known)));
   }

@@ -56,7 +56,9 @@ Mesh<2> mesh_of(const RawMesh& raw, const Scene<2>& scene, const std::string& wh
   if (separate(mesh, parts.cut)) mesh = with_edges(without_edges(std::move(mesh)), where);
   std::vector<PartEdge> part_edges;
   for (const auto& [cell, local, part] : parts.sides) part_edges.push_back({facet_vertices(mesh, cell, local), part});
-  return completed(std::move(mesh), part_edges, where);
+  mesh = completed(std::move(mesh), part_edges, where);
+  if (!scene.bodies.empty()) append(mesh.notes, untied(mesh, scene));
+  return mesh;
 }
 
 }  // namespace bracket::scene

@@ -95,4 +95,8 @@ PartSides part_sides(const Mesh<2>& mesh, const RawMesh& raw, const std::vector<
 /// common as well. \return whether there was anything to do
 bool separate(Mesh<2>& mesh, const std::vector<int>& cut);
 
+/// A note for each two components that touch by nodes at the same places and are in no contact with each other: they
+/// may have been meant to be one.
+std::vector<std::string> untied(const Mesh<2>& mesh, const Scene<2>& scene);
+
 }  // namespace bracket::scene

@@ -57,6 +57,13 @@ RawMesh read_raw_mesh(const std::filesystem::path& file) {
   const bool foreign = beginning.starts_with("$MeshFormat") || beginning.starts_with("$NOD");
   if (ending == ".MSH" && foreign && !is_gmsh_text(beginning)) return read_by_libgmsh(file);
   if (ending == ".GEO") fail(Status::mesh, file.string(), "is a geometry, not a mesh; 'gmsh -2' makes a .msh of it");
+  if (ending != ".MSH" && !is_gmsh_text(beginning)) {
+    read_text(file);  // says what is wrong where it cannot be read
+    fail(Status::mesh, file.string(),
+         "is of no kind that is read: Gmsh (.msh), Abaqus (.inp), universal (.unv), Nastran (.bdf, .nas), Medit "
+         "(.mesh), "
+         "VTK (.vtk), MED (.med)");
+  }
   return read_gmsh(file);
 }
 

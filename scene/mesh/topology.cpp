@@ -197,16 +197,20 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   return mesh;
 }
 
-std::string coinciding_nodes(const Mesh<2>& mesh, int body) {
+double coincidence(const Mesh<2>& mesh) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : mesh.edges) shortest = std::min(shortest, (mesh.vertices[b] - mesh.vertices[a]).norm());
+  return std::pow(10, std::floor(std::log10(1e-6 * shortest)));
+}
+
+std::string coinciding_nodes(const Mesh<2>& mesh, int body) {
   std::set<int> of_body;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     if (mesh.cell_body[cell] == body) of_body.insert(mesh.cells[cell].begin(), mesh.cells[cell].end());
   const std::vector<int> vertices(of_body.begin(), of_body.end());
   std::vector<Vector<2>> points;
   for (const int vertex : vertices) points.push_back(mesh.vertices[vertex]);
-  const double distance = std::pow(10, std::floor(std::log10(1e-6 * shortest)));
+  const double distance = coincidence(mesh);
   const std::vector<int> first = merged(points, distance);
   int count = 0;
   Vector<2> at = {0, 0};

@@ -22,8 +22,9 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where);
 /// or hangs by a point
 Mesh<2> completed(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where);
 
-/// Why a body may fall into pieces: how many of its nodes lie on others, by a millionth of the shortest edge, and how
-/// to mend it; empty: none.
+/// How close nodes are that are meant to be one: a millionth of the shortest edge, rounded down to a power of ten.
+double coincidence(const Mesh<2>& mesh);
+/// Why a body may fall into pieces: how many of its nodes lie on others, and how to mend it; empty: none.
 std::string coinciding_nodes(const Mesh<2>& mesh, int body);
 
 /// completed() after with_edges().

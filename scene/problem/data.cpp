@@ -123,7 +123,10 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
     ContactFacet& facet = problem.contact[i];
     const ContactPair<2>& pair = scene.contact[facet.pair];
     const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    if (!pair.gap || !pair.gap->is_enclosed()) {
+    if (const auto* circle = std::get_if<CircleObstacle>(&pair.second.obstacle); circle != nullptr && !pair.gap) {
+      problem.gaps[i].function = distance(*circle, problem.facets[facet.first].normal);
+      problem.gaps[i].where = pair.where;
+    } else if (!pair.gap || !pair.gap->is_enclosed()) {
       const EdgeValues<3> values =
           pair.gap ? interpolate_quadratic(*pair.gap, a, b, pair.where) : drawn_gap(scene, problem, facet);
       const auto& [start, end, middle] = values.value;
@@ -213,7 +216,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   }
   const Extent gap = fix_gaps(scene, problem);
   problem.sampled = samples(scene);
-  for (std::string& note : notes_on_lines(problem)) problem.mesh.notes.push_back(std::move(note));
+  for (std::string& note : notes_on_lines(scene, problem)) problem.mesh.notes.push_back(std::move(note));
   check_size(problem.length_scale, scene.file, "the diameter of the mesh");
   check_size(fixed.traction.largest, scene.file, "the largest traction");
   check_size(fixed.displacement.largest, scene.file, "the largest prescribed displacement");

@@ -44,7 +44,7 @@ struct Turn {
 
 }  // namespace
 
-std::vector<std::string> notes_on_lines(const Problem<2>& problem) {
+std::vector<std::string> notes_on_lines(const Scene<2>& scene, const Problem<2>& problem) {
   const Mesh<2>& mesh = problem.mesh;
   const std::vector<char> acts = acting(problem);
   std::vector<std::string> notes;
@@ -66,11 +66,14 @@ std::vector<std::string> notes_on_lines(const Problem<2>& problem) {
       turn.at = mesh.vertices[mesh.boundary[f].vertices[1]];
     }
   }
-  for (const auto& [part, turn] : turns)
+  for (const auto& [part, turn] : turns) {
+    if (scene.curves.contains(mesh.parts[part])) continue;
     notes.push_back(fmt::format(
         "'{}' slides or touches and turns at its vertices, by up to {:.3g} degrees at {}: what is solved is that "
-        "polygon, whose pressure peaks at the vertices and grows with refinement; an arc would bulge by {:.2g}",
+        "polygon, whose pressure peaks at the vertices and grows with refinement; an arc would bulge by {:.2g}; "
+        "if it is one, declare it in [curves]",
         mesh.parts[part], turn.angle * 180 / std::numbers::pi, point(turn.at), turn.height));
+  }
   return notes;
 }
 

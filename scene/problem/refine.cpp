@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "scene/mesh/bisection.h"
+#include "scene/mesh/curves.h"
 #include "scene/problem/gap.h"
 #include "scene/problem/stretch.h"
 #include "scene/text.h"
@@ -141,6 +142,15 @@ template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::v
   return refined;
 }
 
+template <int dim>
+Mesh<dim> finer_mesh(const Scene<dim>& scene, const Problem<dim>& problem, const std::vector<char>& marked) {
+  static_assert(dim == 2);
+  const std::size_t old = problem.mesh.vertices.size();
+  Mesh<dim> finer = bisect(problem.mesh, bisected_edges(problem, marked)).mesh;
+  return with_new_vertices_on_arcs(std::move(finer), arcs_of(scene, problem.mesh), old);
+}
+
+template Mesh<2> finer_mesh(const Scene<2>&, const Problem<2>&, const std::vector<char>&);
 template Refined<2> refine(const Problem<2>&, const std::vector<char>&);
 
 }  // namespace bracket::scene

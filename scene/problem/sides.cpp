@@ -112,6 +112,16 @@ std::vector<Vector<2>> with_directions_of_contact(const Scene<2>& scene, std::ve
   return normals;
 }
 
+Function<2> distance(const CircleObstacle& obstacle, const Vector<2>& d) {
+  return enclosed<2>([circle = obstacle.circle, inside = obstacle.inside, d](const auto& x) {
+    using std::sqrt;
+    const auto from_x = x[0] - circle.center[0], from_y = x[1] - circle.center[1];
+    const auto along = from_x * d[0] + from_y * d[1], beside = from_x * d[1] - from_y * d[0];
+    const auto half_chord = sqrt(circle.radius * circle.radius - beside * beside);
+    return inside ? half_chord - along : -half_chord - along;
+  });
+}
+
 EdgeValues<3> drawn_gap(const Scene<2>& scene, const Problem<2>& problem, const ContactFacet& facet) {
   const Mesh<2>& mesh = problem.mesh;
   const Vector<2>& d = problem.facets[facet.first].normal;

@@ -25,4 +25,7 @@ std::vector<Vector<2>> with_directions_of_contact(const Scene<2>& scene, std::ve
 /// The distance of the two sides along d, or to the line, linear between the ends; to a wall none.
 EdgeValues<3> drawn_gap(const Scene<2>& scene, const Problem<2>& problem, const ContactFacet& facet);
 
+/// The distance to the circle along d as a function of a point, at points from which d hits it.
+Function<2> distance(const CircleObstacle& obstacle, const Vector<2>& d);
+
 }  // namespace bracket::scene

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bounds/bounds.h"
+#include "tests/support/random_sides.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
@@ -142,6 +143,17 @@ TEST(Sides, AGapAsDrawnIsTheGapAsWritten) {
     EXPECT_NEAR(one.levels[i].bracket.lower, other.levels[i].bracket.lower, 1e-12 * size);
     EXPECT_NEAR(one.levels[i].bracket.upper, other.levels[i].bracket.upper, 1e-12 * size);
   }
+}
+
+// The first of those that bracket_random_sides judges.
+TEST(Sides, OfRandomProblemsHaveIntervalsThatMeet) {
+  int bracketed = 0;
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    const SidesVerdict verdict = judge_random_sides(seed);
+    for (const std::string& fault : verdict.faults) ADD_FAILURE() << fault;
+    bracketed += verdict.bracketed;
+  }
+  EXPECT_GE(bracketed, 40);  // or nothing would have been tested
 }
 
 }  // namespace

@@ -125,6 +125,8 @@ TEST(ForeignMesh, WhatLibgmshRefusesIsOneLine) {
   const auto file = folder.write("whole.msh", whole);
   expect_error([&] { read_by_libgmsh(file, std::chrono::seconds(0)); }, Status::mesh, {"did not end within 0 s"});
   expect_error([&] { read_mesh<2>(folder.write("a.geo", "Point(1) = {0, 0, 0};")); }, Status::mesh, {"gmsh -2"});
+  expect_error([&] { read_mesh<2>(folder.write("a.vtu", "<VTKFile>")); }, Status::mesh, {"a.vtu", ".msh", ".inp"});
+  expect_error([&] { read_mesh<2>(folder.path() / "absent.vtu"); }, Status::input, {"no such file"});
   expect_error([&] { read_mesh<2>(folder.path() / "absent.bdf"); }, Status::input, {"no such file"});
   std::filesystem::create_directory(folder.path() / "folder.bdf");
   expect_error([&] { read_mesh<2>(folder.path() / "folder.bdf"); }, Status::input, {"directory"});

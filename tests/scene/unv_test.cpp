@@ -2,60 +2,17 @@
 #include <gtest/gtest.h>
 
 #include "tests/scene/inputs.h"
+#include "tests/support/mesh_files.h"
 
 namespace bracket::scene {
 namespace {
 
 using namespace test;
-
-/// As Salome writes it: units, nodes, elements (one of them a spring), groups of elements and of nodes.
-const std::string from_salome = R"(    -1
-   164
-         1  SI: Meter (newton)         2
-   1.0000000000000000D+00   1.0000000000000000D+00   1.0000000000000000D+00
-   2.7314999999999998D+02
-    -1
-    -1
-  2411
-         1         1         1        11
-   0.0000000000000000D+00   0.0000000000000000D+00   0.0000000000000000D+00
-         2         1         1        11
-   1.0000000000000000D+00   0.0000000000000000D+00   0.0000000000000000D+00
-         3         1         1        11
-   1.0000000000000000D+00   1.0000000000000000D+00   0.0000000000000000D+00
-         4         1         1        11
-   0.0000000000000000D+00   1.0000000000000000D+00   0.0000000000000000D+00
-    -1
-    -1
-  2412
-         1        11         2         1         7         2
-         0         1         1
-         1         2
-         2        41         2         1         7         3
-         1         2         3
-         4       136         2         1         7         2
-         1         3
-         3        41         2         1         7         3
-         1         3         4
-    -1
-    -1
-  2467
-         1         0         0         0         0         0         0         1
-bottom
-         8         1         0         0
-         3         0         0         0         0         0         0         3
-corner nodes
-         7         2         0         0         7         3         0         0
-         7         1         0         0
-         2         0         0         0         0         0         0         2
-plate
-         8         2         0         0         8         3         0         0
-    -1
-)";
+using namespace bracket::tests;
 
 TEST(Unv, FilesOfSalomeWithTheirGroups) {
   const Folder folder;
-  const auto file = folder.write("a.UNV", from_salome);
+  const auto file = folder.write("a.UNV", unv_of_salome);
   const Mesh<2> mesh = build_mesh(scene_of(file, {"plate"}, {"bottom"}));
   EXPECT_EQ(area(mesh, "plate"), 1);
   EXPECT_EQ(length_of(mesh, "bottom"), 1);
@@ -65,45 +22,7 @@ TEST(Unv, FilesOfSalomeWithTheirGroups) {
 
 TEST(Unv, SecondOrderAndElementsInNoGroup) {
   const Folder folder;
-  const std::string text = R"(    -1
-  2411
-1 1 1 11
-0 0 0
-2 1 1 11
-2 0 0
-3 1 1 11
-2 2 0
-4 1 1 11
-0 2 0
-5 1 1 11
-1 -0.5 0
-6 1 1 11
-2 1 0
-7 1 1 11
-1 2 0
-8 1 1 11
-0 1 0
-9 1 1 11
-1 1 0
-    -1
-    -1
-  2412
-1 22 2 1 7 3
-0 1 1
-1 5 2
-2 42 2 1 7 6
-1 5 2 6 3 9
-3 92 2 1 7 6
-1 9 3 7 4 8
-    -1
-    -1
-  2467
-1 0 0 0 0 0 0 2
-below
-8 1 0 0 8 2 0 0
-    -1
-)";
-  const Mesh<2> mesh = read_mesh<2>(folder.write("a.unv", text));
+  const Mesh<2> mesh = read_mesh<2>(folder.write("a.unv", unv_of_second_order));
   EXPECT_EQ(mesh.bodies, (std::vector<std::string>{"below", "body"}));
   EXPECT_EQ(area(mesh, "below"), 2);
   EXPECT_EQ(area(mesh, "body"), 2);
@@ -113,7 +32,7 @@ below
 
 TEST(Unv, FaultsAreToldWithTheirPlace) {
   const Folder folder;
-  const auto changed = [](const std::string& from, const std::string& to) { return replaced(from_salome, from, to); };
+  const auto changed = [](const std::string& from, const std::string& to) { return replaced(unv_of_salome, from, to); };
   const std::map<std::string, std::pair<std::string, std::vector<std::string>>> cases = {
       {"empty", {"", {"no triangles"}}},
       {"something else", {"solid x\n", {":1:", "not a universal file"}}},
@@ -136,10 +55,10 @@ TEST(Unv, FaultsAreToldWithTheirPlace) {
 
 TEST(Unv, CutAtAnyByteOrWithAnyByteChangedItIsReadOrRefused) {
   const Folder folder;
-  for (std::size_t at = 0; at < from_salome.size(); ++at) {
-    std::string changed = from_salome;
+  for (std::size_t at = 0; at < unv_of_salome.size(); ++at) {
+    std::string changed = unv_of_salome;
     changed[at] = "9- \n\0D"[at % 6];
-    for (const std::string& text : {from_salome.substr(0, at), changed}) {
+    for (const std::string& text : {unv_of_salome.substr(0, at), changed}) {
       const auto error = error_of([&] { read_mesh<2>(folder.write("a.unv", text)); });
       if (error) {
         EXPECT_EQ(error->status(), Status::mesh) << error->what();

@@ -1,0 +1,62 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "scene/mesh/raw_mesh.h"
+#include "scene/mesh/topology.h"
+
+namespace bracket::scene {
+
+namespace {
+
+/// The components whose boundary a side of a contact lies on.
+std::set<int> components_of(const Mesh<2>& mesh, const Side& side) {
+  std::set<int> components;
+  for (const auto& facet : mesh.boundary)
+    if (facet.part != -1 && contains(side, mesh.parts[facet.part])) components.insert(mesh.cell_component[facet.cell]);
+  return components;
+}
+
+/// Pairs of components, the lower first, that are in contact.
+std::set<std::pair<int, int>> pairs_in_contact(const Mesh<2>& mesh, const Scene<2>& scene) {
+  std::set<std::pair<int, int>> pairs;
+  for (const ContactPair<2>& pair : scene.contact)
+    for (const int one : components_of(mesh, pair.first))
+      for (const int other : components_of(mesh, pair.second)) pairs.insert(std::minmax(one, other));
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<std::string> untied(const Mesh<2>& mesh, const Scene<2>& scene) {
+  std::map<int, int> component;  // of each vertex of the boundary
+  for (const auto& facet : mesh.boundary)
+    for (const int vertex : facet.vertices) component[vertex] = mesh.cell_component[facet.cell];
+  std::vector<Vector<2>> points;
+  std::vector<int> owner;
+  for (const auto& [vertex, of] : component) {
+    points.push_back(mesh.vertices[vertex]);
+    owner.push_back(of);
+  }
+  const double distance = coincidence(mesh);
+  std::map<std::pair<int, int>, int> count;
+  const std::vector<int> first = merged(points, distance);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (owner[first[i]] != owner[i]) ++count[std::minmax(owner[first[i]], owner[i])];
+  const std::set<std::pair<int, int>> in_contact = pairs_in_contact(mesh, scene);
+  std::vector<std::string> notes;
+  for (const auto& [pair, nodes] : count) {
+    // One node is a corner that two bodies have in common, as those do that a third one parts.
+    if (nodes < 2 || in_contact.contains(pair)) continue;
+    notes.push_back(
+        fmt::format("'{}' and '{}' have {} nodes at the same places, and are neither joined nor in contact; to join "
+                    "them, write mesh.merge = {:.0e}",
+                    mesh.components[pair.first], mesh.components[pair.second], nodes, distance));
+  }
+  return notes;
+}
+
+}  // namespace bracket::scene
