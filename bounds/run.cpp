@@ -165,7 +165,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
       Examined<dim> examined = examine(scene, meshed, outcome.levels, clock, observer);
-      while (outcome.levels.empty()) {
+      while (outcome.levels.empty() && !observer.stop.stop_requested()) {
         auto finer_first = with_data_resolved(scene, meshed, examined, clock);
         if (!finer_first) break;
         meshed = std::move(*finer_first);

@@ -151,9 +151,10 @@ template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements
-/// interpolated linearly, gaps quadratically; cuts the contact sides alike (scene/problem/cutting.h); gives the facets
-/// of one straight line one normal; where displacements are prescribed on both sides of a contact's vertex and close
-/// more than its gap by rounding only (8 ε of their size, the gap's and the length scale), raises the gap to that.
+/// interpolated linearly, gaps enclosed between quadratics; cuts the contact sides alike (scene/problem/cutting.h);
+/// gives the facets of one straight line one normal; where displacements are prescribed on both sides of a contact's
+/// vertex and close more than its gap by rounding only (8 ε of their size, the gap's and the length scale), raises the
+/// gap to that.
 /// \param mesh that of the scene, or another whose bodies and parts have its names; then the scene needs none
 /// \throw Error (input: as check(), unknown names, values that are not finite or out of range, prescribed
 ///        displacements that contradict each other at a vertex; mesh: sides that do not face each other)

@@ -225,15 +225,6 @@ bool face_each_other(const Problem<2>& problem, const scene::ContactFacet& pair)
   return one.corner[0][0] == 1 - other.corner[1][0] && one.corner[1][0] == 1 - other.corner[0][0];
 }
 
-/// Whether a quadratic lies somewhere above another, by Bernstein coefficients.
-bool certainly_crossing(const std::array<double, 3>& lower, const std::array<double, 3>& upper) {
-  using scene::Interval;
-  std::array<Interval, 3> left;
-  for (int i = 0; i < 3; ++i) left[i] = Interval(upper[i]) - Interval(lower[i]);
-  if (left[0].upper < 0 || left[2].upper < 0) return true;
-  return left[1].upper < 0 && square(left[1]).lower > (left[0] * left[2]).upper;
-}
-
 std::string contact_fault(const Problem<2>& problem) {
   const Problem<2>& first = scene::first_of(problem);
   const std::vector<int> contact_of_facet = scene::contacts_by_first(first);
@@ -249,7 +240,7 @@ std::string contact_fault(const Problem<2>& problem) {
     if (pair.second >= 0 && problem.facets[pair.second].normal != -problem.facets[pair.first].normal)
       return name + " has directions that are not opposite on its two sides";
     if (pair.second >= 0 && !face_each_other(problem, pair)) return name + " has sides that do not face each other";
-    if (certainly_crossing(pair.lower, pair.upper)) return name + " has a lower gap above its upper one";
+    if (scene::cross({pair.lower, pair.upper})) return name + " has a lower gap above its upper one";
     if (!problem.origin.first) continue;
     const auto& piece = problem.origin.facets[pair.first];
     const int whole = contact_of_facet[piece.of];

@@ -13,12 +13,13 @@ namespace bracket::bounds {
 ///   what has one cell;
 /// - each component hangs together through edges, and is all that does;
 /// - after refinement: cells are dyadic pieces of the first mesh's which meet in the same points, facets are pieces
-///   that cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's;
+///   that cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's, as
+///   scene::enclosed_gap() finds them where they are no quadratics;
 /// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
 ///   the two sides and within 25° of the geometric normals;
 /// - displacements that are prescribed twice agree.
 /// It trusts that the cells of the first mesh do not overlap beyond their edges, and that the first mesh and its data
-/// are what the user meant.
+/// are what the user meant; and that functions over intervals, and so enclosed_gap(), enclose what they say.
 std::string problem_fault(const scene::Problem<2>& problem);
 
 }  // namespace bracket::bounds

@@ -32,6 +32,13 @@ std::array<Interval, 3> plus(const std::array<double, 3>& c, const std::array<In
 
 }  // namespace
 
+bool cross(const GapBounds& bounds) {
+  std::array<Interval, 3> left;
+  for (int i = 0; i < 3; ++i) left[i] = Interval(bounds.upper[i]) - Interval(bounds.lower[i]);
+  if (left[0].upper < 0 || left[2].upper < 0) return true;
+  return left[1].upper < 0 && square(left[1]).lower > (left[0] * left[2]).upper;
+}
+
 std::optional<GapBounds> quadratic_gap(const Function<2>& gap, const Vector<2>& a, const Vector<2>& b) {
   const Jet whole = along(gap, a, b, 0, 1);
   if (whole.partial || !whole.value().is_bounded() || !whole.c[3].is_zero()) return {};

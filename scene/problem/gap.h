@@ -11,6 +11,9 @@ struct GapBounds {
   std::array<double, 3> lower, upper;
 };
 
+/// Whether the lower one lies above the upper one somewhere, for sure.
+bool cross(const GapBounds& bounds);
+
 /// The gap on the straight edge from a to b if it is one quadratic there for sure, that is, if its third derivative is
 /// enclosed by [0, 0]. The two then differ by the rounding of the coefficients only.
 /// \pre gap.is_enclosed()

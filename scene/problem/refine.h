@@ -18,9 +18,9 @@ template <int dim> struct Refined {
 /// descendants of one coarse cell have at most four shapes. The problem stays the same: bodies, names and data are
 /// inherited from the first mesh, exactly (Origin) and, for the formulations, rounded; gaps that are no quadratics are
 /// enclosed anew. The order is that of the parents, and vertices keep their numbers. Linear in the number of cells.
-/// \pre `marked` has an entry for each cell;
-/// the mesh is from build_mesh(), read_mesh() or refine() \throw Error (budget) where cells have become so small that
-/// rounding of coordinates spoils their shape, or 52 halvings deep
+/// \pre `marked` has an entry for each cell; the mesh is from build_mesh(), read_mesh() or refine()
+/// \throw Error (budget) where cells have become so small that rounding of coordinates spoils their shape, or 52
+///        halvings deep
 template <int dim> Refined<dim> refine(const Problem<dim>& problem, const std::vector<char>& marked);
 
 template <int dim> struct Scene;

@@ -113,21 +113,26 @@ TEST(AsWritten, parabolas_on_a_fine_mesh_come_close_to_a_smooth_gap) {
 
 // Where both sides of a vertex are prescribed, it is the gap's own value that has to admit them.
 TEST(AsWritten, prescribed_sides_are_held_against_the_gap_itself) {
-  for (const double height : {0.0999, 0.1, 0.1001}) {
+  for (const double height : {0.0999, std::nextafter(0.1, 0), 0.1, 0.1001}) {
     auto s = tests::two_bodies(0, 1, 1, 1, 2, 2);
     s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, scene::Plane::strain)},
                 {"upper", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
-    s.boundary = {
-        {"lower.left", tests::fixed(0, 0)}, {"upper.left", tests::fixed(0, -0.1)}, {"upper.right", tests::sliding(-0.01)}};
+    s.boundary = {{"lower.left", tests::fixed(0, 0)},
+                  {"upper.left", tests::fixed(0, -0.1)},
+                  {"upper.right", tests::sliding(-0.01)}};
     s.contact[0].gap = enclosed<2>([height](const auto& x) { return choose(x[0] < 0.3, height, 2 * height); });
     s.refine = {.strategy = scene::Strategy::uniform, .max_levels = 3};
-    if (height < 0.1) {
+    if (height == 0.0999) {
       EXPECT_THROW(run(s), scene::Error) << height;
       continue;
     }
     const auto outcome = run(s);
     EXPECT_EQ(outcome.guarantee, "rounding-safe") << height << ": " << outcome.reason;
     EXPECT_EQ(outcome.levels.size(), 3u) << height;
+    const auto& notes = outcome.problem.mesh.notes;
+    EXPECT_EQ(std::any_of(notes.begin(), notes.end(),
+                          [](const std::string& note) { return note.find("was raised") != std::string::npos; }),
+              height < 0.1);
   }
 }
 
