@@ -19,9 +19,11 @@ namespace bracket::scene {
 
 namespace {
 
-/// The smallest angle that sliding and cutting may leave, in degrees, where the cells do not have smaller ones as it
-/// is.
-double least_angle(const Mesh<2>& mesh) { return std::min(20.0, 0.7 * quality(mesh).smallest_angle); }
+/// The smallest angles that sliding and cutting may leave, in degrees, where bisection does not leave smaller ones.
+struct LeastAngles {
+  double usual;
+  double of_thirds;  ///< where a facet is cut near a third, which halving never comes near
+};
 
 std::vector<int> facets_of(const Mesh<2>& mesh, const std::vector<int>& parts) {
   std::vector<int> facets;
@@ -31,9 +33,12 @@ std::vector<int> facets_of(const Mesh<2>& mesh, const std::vector<int>& parts) {
   return facets;
 }
 
+/// The vertices of the other side that are at the same place as a vertex; two bodies may meet there.
+using Partners = std::map<int, std::set<int>>;
+
 /// Which vertices of the two sides are at the same place, and where vertices are still missing.
 struct Comparison {
-  std::vector<std::map<int, int>> partner;  ///< of each contact
+  std::vector<Partners> partner;  ///< of each contact
   std::vector<Landing> missing;
 };
 
@@ -64,8 +69,8 @@ Comparison compare(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, c
     auto& partner = result.partner.emplace_back();
     for (const Landing& one : all)
       if (one.onto >= 0) {
-        partner[one.vertex] = one.onto;
-        partner.try_emplace(one.onto, one.vertex);
+        partner[one.vertex].insert(one.onto);
+        partner[one.onto].insert(one.vertex);
       }
     for (const Landing& one : all)
       if (!partner.contains(one.vertex)) result.missing.push_back(one);
@@ -98,7 +103,7 @@ std::vector<char> movable(const Mesh<2>& mesh, const std::vector<Vector<2>>& nor
     result[v] = mesh.boundary[other].part == part && (on_arc || normals[one] == normals[other]);
   }
   for (const auto& partner : comparison.partner)
-    for (const auto& [vertex, other] : partner) result[vertex] = 0;
+    for (const auto& [vertex, others] : partner) result[vertex] = 0;
   return result;
 }
 
@@ -155,9 +160,9 @@ double angle_of_cut(const Mesh<2>& mesh, int facet, double t) {
 
 /// Halves the longest of the facets where vertices are missing, and puts the midpoint where one is missing if the cells
 /// keep their shape.
-Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double least, const Arcs& arcs) {
+Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, const LeastAngles& least, const Arcs& arcs) {
   struct Cut {
-    double angle;
+    double t, angle;
     Vector<2> place;
   };
   double longest = 0;
@@ -165,7 +170,7 @@ Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double l
   std::map<int, Cut> cuts;  // of each facet the best
   for (const Landing& landing : missing) {
     if (length(mesh, landing.facet) <= 0.5 * longest) continue;
-    const Cut cut{angle_of_cut(mesh, landing.facet, landing.t), place(mesh, landing, arcs)};
+    const Cut cut{landing.t, angle_of_cut(mesh, landing.facet, landing.t), place(mesh, landing, arcs)};
     const auto [known, is_new] = cuts.try_emplace(landing.facet, cut);
     if (!is_new && cut.angle > known->second.angle) known->second = cut;
   }
@@ -173,13 +178,13 @@ Mesh<2> halve(const Mesh<2>& mesh, const std::vector<Landing>& missing, double l
   for (const auto& [facet, cut] : cuts) edges.push_back(mesh.boundary[facet].edge);
   Bisected bisected = bisect(mesh, conforming(mesh, edges));
   for (const auto& [facet, cut] : cuts)
-    if (cut.angle >= std::min(least, angle_of_cut(mesh, facet, 0.5)))
+    if (cut.angle >= std::min(least.usual, angle_of_cut(mesh, facet, 0.5)) ||
+        (std::abs(cut.t - 0.5) <= 0.2 && cut.angle >= least.of_thirds))
       bisected.mesh.vertices[bisected.midpoint[mesh.boundary[facet].edge]] = cut.place;
   return with_new_vertices_on_arcs(std::move(bisected.mesh), arcs, mesh.vertices.size());
 }
 
-FacetPairs pairs_of(const Mesh<2>& mesh, const SideParts& contact, const std::map<int, int>& partner,
-                    std::vector<char>& taken) {
+FacetPairs pairs_of(const Mesh<2>& mesh, const SideParts& contact, const Partners& partner, std::vector<char>& taken) {
   std::map<std::array<int, 2>, int> second;
   for (const int facet : facets_of(mesh, contact.second)) second[mesh.boundary[facet].vertices] = facet;
   FacetPairs pairs;
@@ -187,10 +192,13 @@ FacetPairs pairs_of(const Mesh<2>& mesh, const SideParts& contact, const std::ma
     const auto& [a, b] = mesh.boundary[facet].vertices;
     const auto from = partner.find(b), to = partner.find(a);
     if (from == partner.end() || to == partner.end()) continue;
-    const auto found = second.find({from->second, to->second});
-    if (found == second.end() || taken[facet] || taken[found->second]) continue;
-    taken[facet] = taken[found->second] = 1;
-    pairs.push_back({facet, found->second});
+    for (const int one : from->second)
+      for (const int other : to->second) {
+        const auto found = second.find({one, other});
+        if (found == second.end() || taken[facet] || taken[found->second]) continue;
+        taken[facet] = taken[found->second] = 1;
+        pairs.push_back({facet, found->second});
+      }
   }
   return pairs;
 }
@@ -227,41 +235,56 @@ std::string free_facets(const Mesh<2>& mesh, const SideParts& contact, const Fac
                    names(mesh, contact.first), names(mesh, contact.second), nearest, point(at)));
 }
 
-}  // namespace
+/// The pairs and the notes of a mesh on which no vertex is missing.
+CutAlike finished(Mesh<2> mesh, const std::vector<SideParts>& contacts, const Comparison& comparison) {
+  CutAlike result;
+  std::vector<char> taken(mesh.boundary.size(), 0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    result.pairs.push_back(pairs_of(mesh, contacts[i], comparison.partner[i], taken));
+    if (result.pairs.back().empty()) refuse_apart(mesh, contacts[i]);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (std::string note = free_facets(mesh, contacts[i], result.pairs[i]); !note.empty())
+      mesh.notes.push_back(std::move(note));
+  result.mesh = std::move(mesh);
+  return result;
+}
 
-CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts, const Arcs& arcs) {
-  if (auto pairs = coinciding(mesh, contacts)) return {std::move(mesh), std::move(*pairs)};
-  constexpr int most = 200;
+/// What cut_alike() returns, where that takes no more cells.
+std::optional<CutAlike> with_at_most(std::size_t most_cells, Mesh<2> mesh, const std::vector<SideParts>& contacts,
+                                     const Arcs& arcs, const LeastAngles& least) {
+  constexpr int most_rounds = 200;
   const std::size_t cells = mesh.cells.size();
-  const double least = mesh.cells.empty() ? 0 : least_angle(mesh);
   int slid = 0;
-  for (int round = 0; round < most; ++round) {
+  for (int round = 0; round < most_rounds && mesh.cells.size() <= most_cells; ++round) {
     const std::vector<Vector<2>> normals = shared_normals(mesh);
     const Comparison comparison = compare(mesh, normals, contacts, arcs);
     if (comparison.missing.empty()) {
-      CutAlike result;
-      std::vector<char> taken(mesh.boundary.size(), 0);
-      for (std::size_t i = 0; i < contacts.size(); ++i) {
-        result.pairs.push_back(pairs_of(mesh, contacts[i], comparison.partner[i], taken));
-        if (result.pairs.back().empty()) refuse_apart(mesh, contacts[i]);
-      }
-      for (std::size_t i = 0; i < contacts.size(); ++i)
-        if (std::string note = free_facets(mesh, contacts[i], result.pairs[i]); !note.empty())
-          mesh.notes.push_back(std::move(note));
       if (slid > 0 || mesh.cells.size() > cells)
         mesh.notes.push_back(fmt::format(
             "the sides of contacts were cut alike: {} vertices slid along their lines, {} cells became {}; the "
             "smallest angle is {:.3g} degrees",
             slid, cells, mesh.cells.size(), quality(mesh).smallest_angle));
-      result.mesh = std::move(mesh);
-      return result;
+      return finished(std::move(mesh), contacts, comparison);
     }
-    const int now = slide(mesh, comparison, movable(mesh, normals, comparison, arcs), least, arcs);
+    const int now = slide(mesh, comparison, movable(mesh, normals, comparison, arcs), least.usual, arcs);
     slid += now;
     if (now == 0) mesh = halve(mesh, comparison.missing, least, arcs);
   }
+  return {};
+}
+
+}  // namespace
+
+CutAlike cut_alike(Mesh<2> mesh, const std::vector<SideParts>& contacts, const Arcs& arcs) {
+  if (auto pairs = coinciding(mesh, contacts)) return {std::move(mesh), std::move(*pairs)};
+  const double usual = std::min(20.0, 0.7 * quality(mesh).smallest_angle);
+  const std::size_t cells = mesh.cells.size();
+  // With angles that are as good as can be; where that would halve on and on, with others.
+  if (auto cut = with_at_most(8 * cells + 2000, mesh, contacts, arcs, {usual, 0.85 * usual})) return std::move(*cut);
+  if (auto cut = with_at_most(20 * cells + 20000, mesh, contacts, arcs, {usual, 0.6 * usual})) return std::move(*cut);
   fail(Status::mesh, contacts.front().where,
-       fmt::format("the sides of the contacts could not be cut alike in {} steps: mesh them to match", most));
+       "the sides of the contacts cannot be cut alike without a great many cells: mesh them to match, or more evenly");
 }
 
 }  // namespace bracket::scene

@@ -17,8 +17,9 @@ using FacetPairs = std::vector<std::array<int, 2>>;
 /// A mesh on which the sides of all contacts are cut alike: where a vertex of one side faces the other, that has a
 /// vertex, too. Vertices slide along the straight line or the arc that they lie on; facets are halved, with what
 /// conformity asks for, and the midpoint slid; so that neither makes angles below 20 degrees, or 0.7 of the mesh's
-/// smallest, that bisection alone would not. Bodies do not change, but for new vertices on arcs. What was done is told
-/// in a note.
+/// smallest, that bisection alone would not (of cuts near thirds, 0.85 or, where that
+/// would take too many cells, 0.6 of that). Bodies do not change, but for new
+/// vertices on arcs. What was done is told in a note.
 struct CutAlike {
   Mesh<2> mesh;
   std::vector<FacetPairs> pairs;  ///< of each contact, in the order of its first side
