@@ -96,8 +96,7 @@ const char* name(scene::ConditionKind kind) {
 
 std::string condition_text(const scene::Scene<2>& scene, const std::string& part) {
   for (const scene::ContactPair<2>& pair : scene.contact) {
-    if (contains(pair.first, part))
-      return "contact with " + name(pair.second);
+    if (contains(pair.first, part)) return "contact with " + name(pair.second);
     if (contains(pair.second, part)) return "contact with " + name(pair.first);
   }
   const auto condition = scene.boundary.find(part);

@@ -24,9 +24,7 @@ using scene::Voigt;
 constexpr double poisson = 0.3, slider_young = 2, stop_young = 1;
 constexpr double mean_pressure = 0.1;
 
-scene::Function<2> constant(double value) {
-  return value;
-}
+scene::Function<2> constant(double value) { return value; }
 
 scene::Scene<2> two_blocks(int n) {
   const auto block = [n](const std::string& body, double x) {

@@ -96,9 +96,9 @@ std::string panel(const Report& report, int pair) {
       "'-' with lines lw 1.2 lc rgb '{}' title 'pressure, displacements', "
       "'-' axes x1y2 with lines lw 1.8 dt (6,3) lc rgb '#3f8f3f' title 'gap left'\n"
       "{}e\n{}e\n{}e\n{}e\n",
-      quoted(name(names.first) + " on " + name(names.second)), line.length,
-      -0.08 * top, top, -0.08 * widest, widest, 0.03 * top, -0.08 * top, stress_colour, displacement_colour,
-      none ? "0 0\n" : line.pressed, line.equilibrated, line.of_displacement, line.gap);
+      quoted(name(names.first) + " on " + name(names.second)), line.length, -0.08 * top, top, -0.08 * widest, widest,
+      0.03 * top, -0.08 * top, stress_colour, displacement_colour, none ? "0 0\n" : line.pressed, line.equilibrated,
+      line.of_displacement, line.gap);
 }
 
 }  // namespace

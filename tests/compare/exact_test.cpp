@@ -74,8 +74,8 @@ TEST(Exact, units_do_not_matter) {
     for (const double force : {1e-9, 1e9}) {
       auto scene = linear_pressure(
           {.young_lower = force / (length * length), .young_upper = 2 * force / (length * length)}, 4, 2);
-      scene.boundary["upper.top"] =
-          pressure(scene::enclosed<2>([=](const auto& x) { return force / (length * length) * (1 - 0.5 * x[0] / length); }));
+      scene.boundary["upper.top"] = pressure(
+          scene::enclosed<2>([=](const auto& x) { return force / (length * length) * (1 - 0.5 * x[0] / length); }));
       for (auto& b : scene.blocks)
         for (auto& range : b.range)
           for (double& x : range) x *= length;

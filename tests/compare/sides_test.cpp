@@ -74,7 +74,8 @@ Scene<2> overhang(const Overhang& of) {
               {"upper", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", fixed(0, 0)},
                 {"upper.left", sliding(0)},
-                {"upper.top", traction(0, scene::enclosed<2>([](const auto& x) { return scene::choose(x[0] < 0.5, -0.1, 0.02); }))}};
+                {"upper.top",
+                 traction(0, scene::enclosed<2>([](const auto& x) { return scene::choose(x[0] < 0.5, -0.1, 0.02); }))}};
   const scene::Side above = "upper.bottom", below = "lower.top";
   s.contact = {{of.swapped ? below : above, of.swapped ? above : below, {}, ""}};
   s.refine.strategy = scene::Strategy::uniform;

@@ -12,7 +12,6 @@
 using namespace bracket;
 
 int main() {
-
   scene::Scene<2> scene;
   scene.blocks = {{"block", {{{0, 2}, {0, 1}}}, {4, 2}}};
   scene.bodies = {{"block", scene::isotropic<2>(210e3, 0.3, scene::Plane::strain)}};

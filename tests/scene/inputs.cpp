@@ -137,9 +137,7 @@ std::string gmsh_4(const GmshContent& content) {
   return text + "$EndElements\n";
 }
 
-Function<2> constant(double value) {
-  return value;
-}
+Function<2> constant(double value) { return value; }
 
 Scene<2> stacked(int cells, std::map<std::string, Condition<2>> boundary) {
   Scene<2> scene;

@@ -11,9 +11,7 @@ namespace bracket::tests {
 using scene::ConditionKind;
 using scene::Vector;
 
-inline scene::Function<2> constant(double value) {
-  return value;
-}
+inline scene::Function<2> constant(double value) { return value; }
 
 inline scene::Condition<2> fixed(double x, double y) { return {ConditionKind::fixed, {constant(x), constant(y)}, ""}; }
 inline scene::Condition<2> sliding(double normal) { return {ConditionKind::sliding, {constant(normal)}, ""}; }
@@ -67,7 +65,9 @@ inline scene::Scene<2> two_blocks(int n, double pull = 0.09) {
               {"upper", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
   s.boundary = {{"lower.bottom", fixed(0, 0)},
                 {"upper.left", sliding(0)},
-                {"upper.top", traction(constant(0), scene::enclosed<2>([pull](const auto& x) { return scene::choose(x[0] < 0.5, -0.1, pull); }))}};
+                {"upper.top", traction(constant(0), scene::enclosed<2>([pull](const auto& x) {
+                                         return scene::choose(x[0] < 0.5, -0.1, pull);
+                                       }))}};
   s.contact = {{"upper.bottom", "lower.top", constant(0), ""}};
   return s;
 }
@@ -80,11 +80,13 @@ inline scene::Scene<2> everything(int nx, int ny_lower, int ny_upper) {
   s.bodies = {{"lower", scene::isotropic<2>(1, 0.3, scene::Plane::strain)},
               {"upper", scene::isotropic<2>(5, 0.4, scene::Plane::strain)}};
   s.bodies.at("lower").force = {0.01, -0.05};
-  s.boundary = {{"lower.left", sliding(-0.02)},
-                {"upper.right", fixed(0.01, -0.03)},
-                {"upper.top", traction(scene::enclosed<2>([](const auto& x) { return 0.01 * x[0]; }), constant(-0.05))}};
-  s.contact = {{"upper.bottom", "lower.top", scene::enclosed<2>([](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }), ""},
-               {"lower.bottom", "rigid", scene::enclosed<2>([](const auto& x) { return 0.01 * x[0] * x[0]; }), ""}};
+  s.boundary = {
+      {"lower.left", sliding(-0.02)},
+      {"upper.right", fixed(0.01, -0.03)},
+      {"upper.top", traction(scene::enclosed<2>([](const auto& x) { return 0.01 * x[0]; }), constant(-0.05))}};
+  s.contact = {
+      {"upper.bottom", "lower.top", scene::enclosed<2>([](const auto& x) { return 0.02 * (x[0] - 0.6) * x[0]; }), ""},
+      {"lower.bottom", "rigid", scene::enclosed<2>([](const auto& x) { return 0.01 * x[0] * x[0]; }), ""}};
   return s;
 }
 
