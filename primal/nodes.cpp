@@ -92,10 +92,12 @@ template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
   std::vector<EndRow> rows;
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    for (int i = 0; i < dim; ++i)
-      rows.push_back({mesh.boundary[pair.first].vertices[i],
-                      pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i],
-                      problem.facets[pair.first].normal, pair.lower[2 * i], static_cast<int>(j)});
+    for (int i = 0; i < dim; ++i) {
+      const int first = mesh.boundary[pair.first].vertices[i];
+      const int second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
+      if (first == second) continue;  // the tip of a crack, which does not open
+      rows.push_back({first, second, problem.facets[pair.first].normal, pair.lower[2 * i], static_cast<int>(j)});
+    }
   }
   std::stable_sort(rows.begin(), rows.end(), [](const EndRow& a, const EndRow& b) {
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);

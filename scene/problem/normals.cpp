@@ -75,12 +75,18 @@ std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double 
   return result;
 }
 
-/// The facets of a cluster that `counts` names, put together where one ends and the next begins, from end to end.
+/// The facets of a cluster that `counts` names, put together where one ends and the next begins with the same normal,
+/// not its opposite (as at the tip of a crack), from end to end.
 std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line> cluster,
                                        const std::vector<char>& counts) {
-  std::map<int, int> to, from;  // the other end of the chain that begins, or ends, at a vertex
+  struct Ends {
+    std::map<int, int> to, from;  // the other end of the chain that begins, or ends, at a vertex
+  };
+  std::array<Ends, 2> sides;
+  const Vector<2> reference = normal(mesh, cluster.front().facet);
   for (const Line& line : cluster) {
     if (!counts.empty() && !counts[line.facet]) continue;
+    auto& [to, from] = sides[normal(mesh, line.facet).dot(reference) > 0 ? 0 : 1];
     auto [begin, end] = mesh.boundary[line.facet].vertices;
     if (const auto before = from.find(begin); before != from.end()) {
       begin = before->second;
@@ -95,7 +101,8 @@ std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line
     from[end] = begin;
   }
   std::vector<std::array<int, 2>> result;
-  for (const auto& [begin, end] : to) result.push_back({begin, end});
+  for (const Ends& side : sides)
+    for (const auto& [begin, end] : side.to) result.push_back({begin, end});
   return result;
 }
 

@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "bounds/bounds.h"
+#include "tests/scene/inputs.h"
 #include "tests/support/random_sides.h"
 #include "tests/support/scenes.h"
 
@@ -144,6 +146,59 @@ TEST(Sides, AGapAsDrawnIsTheGapAsWritten) {
     EXPECT_NEAR(one.levels[i].bracket.lower, other.levels[i].bracket.lower, 1e-12 * size);
     EXPECT_NEAR(one.levels[i].bracket.upper, other.levels[i].bracket.upper, 1e-12 * size);
   }
+}
+
+/// A unit square, sliding on its bottom, with a slit from the left to its middle, both faces of the part "crack".
+Scene<2> cracked(const Folder& folder, double pressure_on_top) {
+  constexpr int n = 4;
+  scene::test::GmshContent content;
+  content.names = "1 1 \"bottom\"\n1 2 \"top\"\n1 3 \"crack\"\n2 1 \"body\"\n";
+  std::map<std::array<int, 3>, int> nodes;  // column, row, above the slit
+  const auto node = [&](int i, int j, bool above) {
+    const bool split = j == n / 2 && i < n / 2;
+    const auto [at, is_new] = nodes.try_emplace({i, j, split && above ? 1 : 0}, static_cast<int>(content.nodes.size()));
+    if (is_new) content.nodes.push_back({static_cast<double>(i) / n, static_cast<double>(j) / n});
+    return at->second;
+  };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const bool above = j >= n / 2;
+      const int a = node(i, j, above), c = node(i + 1, j + 1, above);
+      content.triangles.push_back({1, {a, node(i + 1, j, above), c}});
+      content.triangles.push_back({1, {a, c, node(i, j + 1, above)}});
+    }
+  for (int i = 0; i < n; ++i) {
+    content.lines.push_back({1, {node(i, 0, false), node(i + 1, 0, false)}});
+    content.lines.push_back({2, {node(i, n, true), node(i + 1, n, true)}});
+    for (const bool above : {false, true})
+      if (i < n / 2) content.lines.push_back({3, {node(i, n / 2, above), node(i + 1, n / 2, above)}});
+  }
+  Scene<2> s;
+  s.mesh_file = folder.write("cracked.msh", scene::test::gmsh_2(content));
+  s.bodies = {{"body", scene::isotropic<2>(10, 0.3, scene::Plane::strain)}};
+  s.boundary = {{"bottom", sliding(0)}, {"top", pressure(constant(pressure_on_top))}};
+  s.contact = {{"crack", "crack", {}, ""}};
+  s.refine.strategy = scene::Strategy::uniform;
+  s.refine.max_levels = 2;
+  return s;
+}
+
+// Pressed, it is as if it were whole; pulled, as if its faces had nothing to do with each other.
+TEST(Sides, ACrackHasItsTwoFacesInContact) {
+  const Folder folder;
+  const auto pressed = bounds::run(cracked(folder, 0.5));
+  ASSERT_EQ(pressed.guarantee, "rounding-safe") << pressed.reason;
+  const double whole = -0.5 * 0.5 * 0.5 * (1 - 0.3 * 0.3) / 10;
+  EXPECT_LE(pressed.lower, whole);
+  EXPECT_GE(pressed.upper, whole);
+  EXPECT_LE(pressed.upper - pressed.lower, 1e-12 * std::abs(whole));
+  Scene<2> contact = cracked(folder, -0.5), open = contact;
+  open.contact.clear();
+  const auto one = bounds::run(contact), other = bounds::run(open);
+  ASSERT_EQ(one.guarantee, "rounding-safe") << one.reason;
+  EXPECT_NEAR(one.lower, other.lower, 1e-12 * std::abs(one.lower));
+  EXPECT_NEAR(one.upper, other.upper, 1e-12 * std::abs(one.lower));
+  EXPECT_LT(one.upper, 1.01 * whole);  // softer than the whole
 }
 
 // The first of those that bracket_random_sides judges.
