@@ -8,6 +8,7 @@
 
 #include "apps/report/columns.h"
 #include "apps/report/json.h"
+#include "apps/report/pairs.h"
 
 namespace bracket::apps {
 namespace {
@@ -98,6 +99,22 @@ double relative_width(const bounds::Outcome<2>& outcome) {
   return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
 }
 
+Json contact_json(const Report& report) {
+  Json pairs = Json::array();
+  for (int i = 0; i < static_cast<int>(report.scene.contact.size()); ++i) {
+    const PairSummary of = summary(report, i);
+    pairs.push_back({{"first", name(report.scene.contact[i].first)},
+                     {"second", name(report.scene.contact[i].second)},
+                     {"force", of.force},
+                     {"length", of.length},
+                     {"pressed_length", of.pressed_length},
+                     {"largest_pressure", of.largest_pressure},
+                     {"at", {of.at[0], of.at[1]}},
+                     {"grows", of.grows}});
+  }
+  return pairs;
+}
+
 std::string report_json(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   const bounds::Level& last = outcome.levels.back();
@@ -122,6 +139,7 @@ std::string report_json(const Report& report) {
                       {"oscillation_part", last.oscillation_part},
                       {"levels", levels},
                       {"checks", checks_json(last.checks, outcome.problem.oscillation)},
+                      {"contact", contact_json(report)},
                       {"loads_changed", outcome.problem.imbalance},
                       {"quality", quality_json(outcome.problem.mesh)},
                       {"seconds", {{"read", report.read}, {"pictures", report.pictures}}},

@@ -7,8 +7,8 @@
 
 #include "apps/report/columns.h"
 #include "apps/report/numbers.h"
+#include "apps/report/pairs.h"
 #include "apps/report/report.h"
-#include "apps/report/samples.h"
 
 namespace bracket::apps {
 namespace {
@@ -69,23 +69,14 @@ std::string seconds_table(const Report& report) {
              sum("seconds_write", report), report.pictures);
 }
 
-// What one pair transmits: its resultant, largest pressure and the length of the edges that carry it.
+// What one pair transmits, and whether its largest pressure says something.
 std::string pair_line(const Report& report, int pair) {
-  const scene::Problem<2>& problem = report.outcome.problem;
-  const double largest = largest_pressure(problem, report.contact, pair);
-  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
-  double force = 0, pressed = 0, whole = 0;
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    if (problem.contact[i].pair != pair) continue;
-    const auto& [a, b] = report.contact[i].pressure;
-    const double length = scene::length(problem.mesh, problem.contact[i].first);
-    force += length * (a + b) / 2;
-    whole += length;
-    if (presses(report.contact[i], rounding)) pressed += length;
-  }
-  return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}, pressed on {:.4g} of a length of {:.4g}\n",
-                     name(report.scene.contact[pair].first), name(report.scene.contact[pair].second), force, largest,
-                     pressed, whole);
+  const PairSummary of = summary(report, pair);
+  const auto& [first, second, gap, where] = report.scene.contact[pair];
+  return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}{}, pressed on {:.4g} of a length of {:.4g}\n",
+                     name(first), name(second), of.force, of.largest_pressure,
+                     of.grows.empty() ? "" : " (grows with refinement: at " + of.grows + ")", of.pressed_length,
+                     of.length);
 }
 
 std::string contact_text(const Report& report) {

@@ -175,6 +175,50 @@ TEST_F(Report, AnExactSolutionHasAnErrorOfRoundingSize) {
   EXPECT_EQ(json["levels"][0]["contact"]["rows"], 0);
 }
 
+// A punch has its largest pressure at its corners, where no mesh ends: unless its end is an axis of symmetry.
+TEST_F(Report, LargestPressuresThatGrowAreTold) {
+  write("punch.toml", R"(schema = 1
+[[mesh.block]]
+body = "base"
+x = [0, 2]
+y = [0, 1]
+cells = [8, 4]
+[[mesh.block]]
+body = "punch"
+x = [0, 1]
+y = [1, 1.5]
+cells = [4, 2]
+[bodies.base]
+E = 1
+nu = 0.3
+[bodies.punch]
+E = 1e4
+nu = 0.3
+[boundary]
+"base.bottom" = { fixed = [0, 0] }
+"base.left" = { sliding = 0 }
+"punch.left" = { sliding = 0 }
+"punch.top" = { pressure = 0.1 }
+[[contact]]
+first = "punch.bottom"
+second = "base.top"
+)");
+  const Ended corner = shell("bracket run punch.toml");
+  ASSERT_EQ(corner.status, 0) << corner.err;
+  Json pair = Json::parse(read("punch.out/report.json"))["contact"][0];
+  EXPECT_EQ(pair["first"], "punch.bottom");
+  EXPECT_EQ(pair["at"][0], 1);  // the corner
+  EXPECT_EQ(pair["grows"], "an end of the contact line");
+  EXPECT_NEAR(pair["force"].get<double>(), 0.1, 1e-12);  // statics
+  EXPECT_NE(corner.out.find("(grows with refinement: at an end of the contact line)"), std::string::npos);
+  // Bulging on its axis, the largest pressure is there.
+  const Ended axis = shell("bracket run punch.toml -o axis --set 'contact.0.gap=0.5*x^2' --set bodies.punch.E=1");
+  ASSERT_EQ(axis.status, 0) << axis.err;
+  pair = Json::parse(read("axis/report.json"))["contact"][0];
+  EXPECT_EQ(pair["at"][0], 0);
+  EXPECT_EQ(pair["grows"], "");
+}
+
 TEST_F(Report, NamesWithAnyCharactersLeaveTheJsonReadable) {
   ASSERT_EQ(shell("bracket run bending.toml --set 'title=\"quote \\\" and umlaut \xc3\xbc\"'").status, 0);
   EXPECT_EQ(Json::parse(read("bending.out/report.json"))["title"], "quote \" and umlaut \xc3\xbc");

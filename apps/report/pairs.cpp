@@ -1,0 +1,62 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/samples.h"
+
+namespace bracket::apps {
+
+namespace {
+
+/// Whether a vertex of a contact slides along the direction d of the pair: on an axis of symmetry a contact line ends,
+/// but goes on beyond it.
+bool on_axis(const scene::Problem<2>& problem, int vertex, const scene::Vector<2>& d) {
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support != scene::Support::sliding) continue;
+    const auto& ends = problem.mesh.boundary[f].vertices;
+    if ((ends[0] == vertex || ends[1] == vertex) && std::abs(problem.facets[f].normal.dot(d)) < 0.1) return true;
+  }
+  return false;
+}
+
+/// Why the pressure grows with refinement at one end of an edge of a chain; empty: it does not.
+std::string growth(const Report& report, const Chain& chain, std::size_t place, int end) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  const auto facet = [&](std::size_t i) { return problem.contact[chain[i]].first; };
+  const auto vertex = [&](std::size_t i, int of) { return problem.mesh.boundary[facet(i)].vertices[of]; };
+  const std::size_t n = chain.size(), next = (place + (end == 0 ? n - 1 : 1)) % n;
+  if (n == 1 || vertex(next, 1 - end) != vertex(place, end))
+    return on_axis(problem, vertex(place, end), problem.facets[facet(place)].normal) ? ""
+                                                                                     : "an end of the contact line";
+  const int part = problem.mesh.boundary[facet(place)].part;
+  const bool turns = problem.facets[facet(place)].normal != problem.facets[facet(next)].normal;
+  return turns && !report.scene.curves.contains(problem.mesh.parts[part]) ? "a vertex at which the line turns" : "";
+}
+
+}  // namespace
+
+PairSummary summary(const Report& report, int pair) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
+  PairSummary result;
+  for (const Chain& chain : chains(problem, pair))
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const int first = problem.contact[chain[i]].first;
+      const auto& pressure = report.contact[chain[i]].pressure;
+      const double length = scene::length(problem.mesh, first);
+      result.force += length * (pressure[0] + pressure[1]) / 2;
+      result.length += length;
+      if (presses(report.contact[chain[i]], rounding)) result.pressed_length += length;
+      for (int end = 0; end < 2; ++end) {
+        if (pressure[end] <= std::max(result.largest_pressure, rounding)) continue;
+        result.largest_pressure = pressure[end];
+        result.at = problem.mesh.vertices[problem.mesh.boundary[first].vertices[end]];
+        result.grows = growth(report, chain, i, end);
+      }
+    }
+  return result;
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,21 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "apps/report/report.h"
+
+namespace bracket::apps {
+
+/// What a contact pair transmits by λ_h: computed, not guaranteed.
+struct PairSummary {
+  double force = 0;  ///< ∫ p
+  double largest_pressure = 0;
+  scene::Vector<2> at = scene::Vector<2>::Zero();  ///< a vertex with that pressure
+  /// Why that pressure grows with refinement rather than tends to something: the vertex is an end of the contact line,
+  /// or the line turns there and is not declared as an arc; empty: neither.
+  std::string grows;
+  double length = 0;          ///< of the first side's edges in contact
+  double pressed_length = 0;  ///< of those on which p > 0 somewhere
+};
+PairSummary summary(const Report& report, int pair);
+
+}  // namespace bracket::apps
