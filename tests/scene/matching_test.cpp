@@ -55,7 +55,7 @@ void expect_matched(const Problem<2>& problem) {
 TEST(Matching, FindsTheSidesOfAPolygonInAnyOrder) {
   const Folder folder;
   for (const int n : {3, 7, 64}) {
-    for (const double offset : {0.0, 1e-11, -1e-10}) {
+    for (const double offset : {0.0, 1e-11, -1e-10, 7e-8}) {
       const Scene<2> scene = disc_in_ring(folder, n, offset, n / 2);
       const Mesh<2> before = build_mesh(scene);
       const Problem<2> problem = fix_data(scene, before);
