@@ -8,15 +8,15 @@
 #include <limits>
 
 #include "bounds/estimate/on_mesh.h"
+#include "scene/mesh/angles.h"
 
 namespace bracket::bounds {
 
+using scene::cross;
 using scene::Vector;
 using scene::Voigt;
 
 namespace {
-
-double cross(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// Adds what a traction, given at a facet's vertices and linear between, exerts there.
 void add(Resultant<2>& sum, const scene::Mesh<2>& mesh, int facet, const std::array<Vector<2>, 2>& t) {

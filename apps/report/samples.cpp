@@ -63,12 +63,16 @@ std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
   return result;
 }
 
+namespace {
+
 double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair) {
   double largest = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i)
     if (problem.contact[i].pair == pair) largest = std::max(largest, std::ranges::max(contact[i].pressure));
   return largest;
 }
+
+}  // namespace
 
 double rounding_of_pressure(const scene::Problem<2>& problem, const scene::Stress<2>& stress,
                             const std::vector<bounds::ContactState>& contact, int pair) {

@@ -23,9 +23,6 @@ using Chain = std::vector<int>;  ///< indices into Problem::contact
 /// A pair as one chain per connected piece; a closed one begins anywhere.
 std::vector<Chain> chains(const scene::Problem<2>& problem, int pair);
 
-/// Largest pressure of λ_h on a pair.
-double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair);
-
 /// The pressure up to which a contact facet of a pair is open but for rounding errors of λ_h: by the pair's largest
 /// and, where that is rounding itself, by the largest stress in the pair's bodies.
 double rounding_of_pressure(const scene::Problem<2>& problem, const scene::Stress<2>& stress,

@@ -31,10 +31,9 @@ int component(const scene::Problem<2>& problem, int facet) {
 
 /// \param ground the number of what does not move: that of the bodies
 std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char>& carrying, int ground) {
-  const auto body_of = [&](int facet) { return component(problem, facet); };
   std::set<Link> links;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    const int body = body_of(static_cast<int>(f));
+    const int body = component(problem, static_cast<int>(f));
     if (problem.facets[f].support == scene::Support::sliding)
       links.insert(link(body, ground, problem.facets[f].normal));
     if (problem.facets[f].support != scene::Support::fixed) continue;
@@ -42,8 +41,9 @@ std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char
   }
   for (const auto& pair : problem.contact) {
     if (!carrying[pair.pair]) continue;
-    const int other = pair.second < 0 ? ground : body_of(pair.second);
-    if (other != body_of(pair.first)) links.insert(link(body_of(pair.first), other, problem.facets[pair.first].normal));
+    const int other = pair.second < 0 ? ground : component(problem, pair.second);
+    if (other != component(problem, pair.first))
+      links.insert(link(component(problem, pair.first), other, problem.facets[pair.first].normal));
   }
   return links;
 }

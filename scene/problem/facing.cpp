@@ -93,6 +93,13 @@ double tolerance(const Mesh<2>& mesh, int facet) {
 std::vector<Landing> landings(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& from,
                               const std::vector<int>& onto, const Arcs& arcs) {
   const Ends own = ends_of(mesh, normals, from, arcs), other = ends_of(mesh, normals, onto, arcs);
+  struct Edge {
+    std::array<Vector<2>, 2> ends;
+    double length, near;
+  };
+  std::vector<Edge> edges;
+  for (const int facet : onto)
+    edges.push_back({positions(mesh, mesh.boundary[facet].vertices), length(mesh, facet), tolerance(mesh, facet)});
   std::vector<Landing> result;
   for (std::size_t i = 0; i < from.size(); ++i)
     for (int end = own.shared[i] ? 1 : 0; end < 2; ++end) {
@@ -101,12 +108,11 @@ std::vector<Landing> landings(const Mesh<2>& mesh, const std::vector<Vector<2>>&
       Landing nearest{vertex, -1, 0, -1, 0};
       for (std::size_t j = 0; j < onto.size(); ++j) {
         if (normals[from[i]].dot(normals[onto[j]]) > -facing) continue;
-        const auto& ends = mesh.boundary[onto[j]].vertices;
-        const auto facet = positions(mesh, ends);
-        const auto [t, distance] = hit(x, n, facet, other.normal[j]);
-        const double length = (facet[1] - facet[0]).norm(), near = tolerance(mesh, onto[j]);
+        const auto& [points, length, near] = edges[j];
+        const auto [t, distance] = hit(x, n, points, other.normal[j]);
         if (!(t * length >= -near && (t - 1) * length <= near)) continue;
         if (nearest.facet >= 0 && std::abs(distance) >= std::abs(nearest.distance)) continue;
+        const auto& ends = mesh.boundary[onto[j]].vertices;
         const int at = t * length <= near ? ends[0] : (1 - t) * length <= near ? ends[1] : -1;
         nearest = {vertex, onto[j], t, at, distance};
       }

@@ -8,6 +8,7 @@
 
 #include "bounds/bounds.h"
 #include "bounds/results.h"
+#include "tests/compare/same_levels.h"
 #include "tests/scene/inputs.h"
 #include "tests/support/scenes.h"
 
@@ -207,13 +208,8 @@ Scene<2> block_above(scene::Side obstacle, scene::Function<2> gap) {
 
 void expect_same(const Scene<2>& one, const Scene<2>& other) {
   const auto a = bounds::run(one), b = bounds::run(other);
-  ASSERT_EQ(a.levels.size(), b.levels.size());
-  for (std::size_t i = 0; i < a.levels.size(); ++i) {
-    const double size = std::abs(a.levels[i].bracket.upper);
-    EXPECT_NEAR(a.levels[i].bracket.lower, b.levels[i].bracket.lower, 1e-11 * size);
-    EXPECT_NEAR(a.levels[i].bracket.upper, b.levels[i].bracket.upper, 1e-11 * size);
-    EXPECT_LE(a.levels[i].bracket.lower, a.levels[i].bracket.upper);
-  }
+  expect_same_levels(a, b, 1e-11);
+  for (const bounds::Level& level : a.levels) EXPECT_LE(level.bracket.lower, level.bracket.upper);
 }
 
 // The distance to an obstacle is the gap that it makes.

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bounds/bounds.h"
+#include "tests/compare/same_levels.h"
 #include "tests/scene/inputs.h"
 #include "tests/support/random_sides.h"
 #include "tests/support/scenes.h"
@@ -113,24 +114,14 @@ TEST(Sides, ADistanceIsNoGapWhereItIsSaidToBeNone) {
   Scene<2> touching = overhang({7, 5}), apart = overhang({7, 5, 3.0});
   touching.contact[0].gap = apart.contact[0].gap = constant(0);
   const auto one = bounds::run(touching), other = bounds::run(apart);
-  ASSERT_EQ(one.levels.size(), other.levels.size());
-  for (std::size_t i = 0; i < one.levels.size(); ++i) {
-    const double size = std::abs(one.levels[i].bracket.lower);
-    EXPECT_NEAR(one.levels[i].bracket.lower, other.levels[i].bracket.lower, 1e-12 * size);
-    EXPECT_NEAR(one.levels[i].bracket.upper, other.levels[i].bracket.upper, 1e-12 * size);
-  }
+  expect_same_levels(one, other, 1e-12);
 }
 
 TEST(Sides, SwappedAreTheSame) {
   for (const double gap : {0.0, 1e-3}) {
     const auto one = bounds::run(overhang({7, 5, gap, false})), other = bounds::run(overhang({7, 5, gap, true}));
-    ASSERT_EQ(one.levels.size(), other.levels.size());
-    for (std::size_t i = 0; i < one.levels.size(); ++i) {
-      EXPECT_EQ(one.levels[i].cells, other.levels[i].cells);
-      const double size = std::abs(one.levels[i].bracket.lower);
-      EXPECT_NEAR(one.levels[i].bracket.lower, other.levels[i].bracket.lower, 1e-12 * size);
-      EXPECT_NEAR(one.levels[i].bracket.upper, other.levels[i].bracket.upper, 1e-12 * size);
-    }
+    expect_same_levels(one, other, 1e-12);
+    for (std::size_t i = 0; i < one.levels.size(); ++i) EXPECT_EQ(one.levels[i].cells, other.levels[i].cells);
   }
 }
 
@@ -140,12 +131,7 @@ TEST(Sides, AGapAsDrawnIsTheGapAsWritten) {
   written.contact[0].gap = constant(0.125);
   for (Scene<2>* s : {&drawn, &written}) s->boundary.at("upper.top") = fixed(0, -0.14);
   const auto one = bounds::run(drawn), other = bounds::run(written);
-  ASSERT_EQ(one.levels.size(), other.levels.size());
-  for (std::size_t i = 0; i < one.levels.size(); ++i) {
-    const double size = std::abs(one.levels[i].bracket.upper);
-    EXPECT_NEAR(one.levels[i].bracket.lower, other.levels[i].bracket.lower, 1e-12 * size);
-    EXPECT_NEAR(one.levels[i].bracket.upper, other.levels[i].bracket.upper, 1e-12 * size);
-  }
+  expect_same_levels(one, other, 1e-12);
 }
 
 /// A unit square, sliding on its bottom, with a slit from the left to its middle, both faces of the part "crack".
