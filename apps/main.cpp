@@ -56,6 +56,7 @@ Ending perform(int argc, char** argv) {
   add_folder(run, "the scene's name + .out");
   run->add_flag("--json", options.json, "Print the report as JSON alone");
   run->add_flag("--quiet", options.quiet, "Print the interval alone");
+  run->add_flag("--all-levels", options.all_levels, "Quantities on all levels, not on the last and some before");
   run->add_flag("--png", options.png, "Pictures as PNG too");
   run->add_flag("!--no-report", options.pictures, "Leave report.html and the pictures out");
 

@@ -6,6 +6,7 @@
 
 #include "bounds/certificate/certificate.h"
 #include "bounds/estimate/estimate.h"
+#include "bounds/quantities/quantities.h"
 #include "contact/contact.h"
 
 /// The bracket −S(λ_h) ≤ L(u) ≤ L(u_h) and what follows from it (docs/theory.md §1). Everything here is computed from
@@ -18,6 +19,7 @@ struct Seconds {
   double dual = 0;
   double estimate = 0;  ///< indicators and checks
   double certify = 0;
+  double quantities = 0;
   double total = 0;  ///< wall clock; the two formulations run side by side
 };
 
@@ -55,7 +57,8 @@ template <int dim> struct Outcome {
   scene::Stress<dim> stress;
   Indicator indicator;
   std::vector<Level> levels;
-  std::vector<std::string> skipped;  ///< stages that the scene did not need
+  std::vector<QuantityInterval> quantities;  ///< as Scene::quantities, then the zones of contacts
+  std::vector<std::string> skipped;          ///< stages that the scene did not need
 };
 
 /// Who follows a run, and may end it.
@@ -77,7 +80,10 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
 /// first mesh and that matters, it is refined there first. Where the bodies do but follow the prescribed
 /// displacements and gaps, rigidly and without loads, the bracket is [0, 0] and the first mesh is the last. Where the
 /// memory does not suffice for a level, or no thread can be had for it, the run ends like one whose budget is spent.
-/// \throw scene::Error for all that the user can mend, as scene::check()
+/// Quantities are computed on the last level and on earlier ones of at most a quarter of its cells, more often where a
+/// target of theirs is all that is left to reach; the goal on each. The run is done when all targets are met.
+/// \throw scene::Error for all that the user can mend, as scene::check(); ill_posed, too, where a motion that nothing
+///        resists changes a quantity both ways
 template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
 
 /// The same from data that are fixed already and may have been changed since: of `scene` only the settings count, and

@@ -5,6 +5,7 @@
 
 #include <future>
 
+#include "bounds/asked.h"
 #include "bounds/particular.h"
 #include "bounds/unstrained.h"
 #include "scene/problem/gap.h"
@@ -13,12 +14,18 @@ namespace bracket::bounds {
 
 namespace {
 
+/// λ̄ and Uzawa's iteration, or the hybrid method; where quantities are asked for, its solver is kept.
 template <int dim>
-dual::Result<dim> solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
-  if (scene.solve.dual == scene::Dual::uzawa)
-    return dual::uzawa(meshed.problem, particular_stress(meshed.problem),
-                       [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
-  return dual::solve(meshed.problem, meshed.dual_closed);
+void solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, bool keep, const Clock& run_clock,
+                    Examined<dim>& solved) {
+  const bool uzawa = scene.solve.dual == scene::Dual::uzawa;
+  if (uzawa)
+    solved.dual = dual::uzawa(meshed.problem, particular_stress(meshed.problem),
+                              [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
+  if (uzawa && !keep) return;
+  auto solver = std::make_shared<const dual::Solver<dim>>(meshed.problem);
+  if (!uzawa) solved.dual = solver->solve(meshed.problem, meshed.dual_closed);
+  if (keep) solved.solvers.stresses = std::move(solver);
 }
 
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
@@ -26,12 +33,15 @@ template <int dim>
 Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
   const Clock clock;
   contact::reserve_blas_memory(2);
+  const bool keep = asks_for_quantities(scene);
   Examined<dim> solved;
   auto stresses = std::async(std::launch::async, [&] {
-    solved.dual = solve_stresses(meshed, scene, run_clock);
+    solve_stresses(meshed, scene, keep, run_clock, solved);
     solved.level.seconds.dual = clock.seconds();
   });
-  solved.primal = primal::solve(meshed.problem, scene.solve.degree, meshed.primal_closed);
+  auto solver = std::make_shared<const primal::Solver<dim>>(meshed.problem, scene.solve.degree);
+  solved.primal = solver->solve(meshed.problem, meshed.primal_closed);
+  if (keep) solved.solvers.displacements = std::move(solver);
   solved.level.seconds.primal = clock.seconds();
   stresses.get();
   solved.unsolved = solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;

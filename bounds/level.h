@@ -4,6 +4,7 @@
 #include <set>
 
 #include "bounds/bounds.h"
+#include "bounds/quantities/pair.h"
 #include "contact/clock.h"
 #include "dual/dual.h"
 #include "primal/primal.h"
@@ -31,6 +32,7 @@ template <int dim> struct Examined {
   bool unstrained = false;  ///< the bodies but follow the prescribed displacements and gaps: see is_unstrained()
   Level level;
   Indicator indicator;
+  Solvers<dim> solvers;  ///< kept where quantities are asked for
 };
 
 /// {displacement | stress} → certificate, bracket, indicators.

@@ -10,7 +10,7 @@ namespace {
 
 /// The loads of the data alone, with reactions; pressures may be taken anywhere.
 EdgeLoads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Reference>& about) {
-  const auto [corrections, reason] = corrected<Enclosure, LongSum>(problem);
+  const auto [corrections, reason] = corrected<Enclosure, LongSum>(scene::first_of(problem));
   PlainLoads pressed = no_loads(problem);
   for (const auto& pair : problem.contact) pressed.along_normal[pair.first] = {1, 1};
   EdgeLoads<Enclosure> loads = loads_of<Enclosure>(problem, no_loads(problem), corrections);

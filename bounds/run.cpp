@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "bounds/asked.h"
 #include "bounds/bounds.h"
 #include "bounds/level.h"
 #include "bounds/resolve_data.h"
@@ -52,11 +53,77 @@ template <int dim> Outcome<dim> disowned(Outcome<dim> outcome) {
   outcome.lower = -infinity;
   outcome.upper = infinity;
   outcome.relative_error_bound = infinity;
+  for (QuantityInterval& one : outcome.quantities) {
+    one.lower = -infinity;
+    one.upper = infinity;
+    one.relative_width = std::numeric_limits<double>::quiet_NaN();
+    one.target_reached = false;
+  }
   return outcome;
 }
 
-template <int dim> bool reached(const Outcome<dim>& outcome, double target) {
-  return target > 0 && outcome.relative_error_bound <= target;
+/// Which of the targets asked for are met.
+struct Targets {
+  bool any = false;        ///< whether any was asked for
+  bool energy = true;      ///< met, or not asked for
+  bool quantities = true;  ///< likewise, of all
+  bool met() const { return any && energy && quantities; }
+};
+template <int dim>
+Targets targets(const Outcome<dim>& outcome, const scene::Refine& refine, const std::vector<Asked<dim>>& asked) {
+  Targets result;
+  result.any = refine.target > 0;
+  result.energy = refine.target == 0 || outcome.relative_error_bound <= refine.target;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto& quantity = asked[i].quantity;
+    result.any = result.any || quantity.target > 0 || quantity.absolute > 0;
+    result.quantities = result.quantities && !is_wanting(asked[i], i < outcome.quantities.size() ? outcome.quantities[i]
+                                                                                                 : QuantityInterval{});
+  }
+  return result;
+}
+
+/// Whether a quantity was computed on the last level.
+template <int dim> bool is_known(const Outcome<dim>& outcome, std::size_t which) {
+  return which < outcome.quantities.size() && !outcome.quantities[which].levels.empty() &&
+         outcome.quantities[which].levels.back().cells == outcome.levels.back().cells;
+}
+
+/// The quantities that are to be computed on the last level although it may not be the last of the run.
+template <int dim>
+std::vector<std::size_t> due(const Outcome<dim>& outcome, const scene::Refine& refine,
+                             const std::vector<Asked<dim>>& asked) {
+  const bool all = refine.all_levels || outcome.unstrained;
+  const bool energy_met = targets(outcome, refine, asked).energy;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (is_known(outcome, i)) continue;
+    const bool never = i >= outcome.quantities.size() || outcome.quantities[i].levels.empty();
+    const double grown =
+        never ? 4.0 : static_cast<double>(outcome.levels.back().cells) / outcome.quantities[i].levels.back().cells;
+    const bool awaited = energy_met && !never && is_wanting(asked[i], outcome.quantities[i]);
+    if (all || asked[i].quantity.name == refine.goal || grown >= (awaited ? 2 : 4)) result.push_back(i);
+  }
+  return result;
+}
+
+/// All that are not known on it.
+template <int dim> std::vector<std::size_t> missing(const Outcome<dim>& outcome, const std::vector<Asked<dim>>& asked) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (!is_known(outcome, i)) result.push_back(i);
+  return result;
+}
+
+/// The indicator by which cells are marked: the energy's, or that of the goal where it has one.
+template <int dim>
+const Indicator& steering(const Outcome<dim>& outcome, const scene::Refine& refine,
+                          const std::vector<Asked<dim>>& asked) {
+  for (const auto& one : asked)
+    if (!refine.goal.empty() && one.quantity.name == refine.goal && one.indicator.sum > 0 &&
+        one.indicator.cell.size() == outcome.indicator.cell.size())
+      return one.indicator;
+  return outcome.indicator;
 }
 
 /// Pressures that are linear on each edge reach less far than those of the displacements, which act at the vertices: a
@@ -131,14 +198,18 @@ Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const 
 /// Ends a run that has not reached its target.
 /// \param early before any budget was spent
 template <int dim>
-Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::string& why, bool early) {
+Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::vector<Asked<dim>>& asked,
+                   const std::string& why, bool early) {
+  const Targets wanted = targets(outcome, refine, asked);
   if (outcome.guarantee == "none") {
     outcome.status = Status::not_guaranteed;
     outcome.reason = why;
-  } else if (early || refine.target > 0) {
+  } else if (early || (wanted.any && !wanted.met())) {
     outcome.status = Status::budget;
     outcome.reason = fmt::format("{}; the guaranteed relative error is {:.3g}", why, outcome.relative_error_bound);
     if (refine.target > 0) outcome.reason += fmt::format(", the target {:g}", refine.target);
+    for (const QuantityInterval& one : outcome.quantities)
+      if (!one.target_reached) outcome.reason += fmt::format("; the target of '{}' is not reached", one.name);
   }
   return outcome;
 }
@@ -156,11 +227,22 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
   const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
   const scene::Refine& refine = scene.refine;
   Outcome<dim> outcome;
-  std::string size = "the mesh", missing = "memory";
+  std::vector<Asked<dim>> asked;
+  std::string size = "the mesh", lacking = "memory";
+  const auto end = [&](Outcome<dim> so_far, const std::string& why, bool early) {
+    return ended(std::move(so_far), refine, asked, why, early);
+  };
+  const auto with_quantities = [&](Outcome<dim> so_far, const std::vector<std::size_t>& which,
+                                   const Examined<dim>& examined, bool one_problem) {
+    if (observer.stage && !which.empty()) observer.stage("quantities");
+    for (const std::size_t i : which) so_far = with_quantity(std::move(so_far), scene, asked, i, examined, one_problem);
+    return so_far;
+  };
   try {
     Meshed<dim> meshed = first();
     size = fmt::format("{} cells", count_of_cells(meshed));
     meshed.problem = balanced(std::move(meshed.problem), scene.solve.degree);
+    asked = bounds::asked(scene, meshed.problem);
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
@@ -184,41 +266,51 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
           outcome.indicator = std::move(examined.indicator);
         }
         if (!objected.reason.empty())
-          return ended(objected.guaranteed ? std::move(outcome) : disowned(std::move(outcome)), refine, objected.reason,
-                       true);
+          return end(objected.guaranteed ? std::move(outcome) : disowned(std::move(outcome)), objected.reason, true);
         outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
+        outcome = with_quantities(std::move(outcome), due(outcome, refine, asked), examined, one_problem);
+        const bool done = examined.unstrained || targets(outcome, refine, asked).met();
+        if (done) outcome = with_quantities(std::move(outcome), missing(outcome, asked), examined, one_problem);
+        if (const std::string why = contradiction(outcome.quantities); !why.empty())
+          return end(disowned(std::move(outcome)), why, true);
         if (observer.level) observer.level(outcome);
-        if (examined.unstrained || reached(outcome, refine.target)) return outcome;
+        if (done) return outcome;
       } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
-        return ended(std::move(outcome), refine, examined.unsolved, true);
+        return end(std::move(outcome), examined.unsolved, true);
       }
-      if (observer.stop.stop_requested()) return ended(std::move(outcome), refine, "stopped on request", true);
+      if (observer.stop.stop_requested()) return end(std::move(outcome), "stopped on request", true);
+      const auto finished = [&](const std::string& why) {
+        if (bracketed) outcome = with_quantities(std::move(outcome), missing(outcome, asked), examined, one_problem);
+        if (const std::string wrong = contradiction(outcome.quantities); !wrong.empty())
+          return end(disowned(std::move(outcome)), wrong, true);
+        return end(std::move(outcome), why, false);
+      };
       const std::string budget = spent(refine, meshes, clock.seconds());
-      if (!budget.empty())
-        return ended(std::move(outcome), refine, bracketed ? budget : examined.unsolved + "; " + budget, false);
+      if (!budget.empty()) return finished(bracketed ? budget : examined.unsolved + "; " + budget);
 
       if (observer.stage) observer.stage("refinement");
       const Clock refining;
       size = "more than " + size;
-      meshed =
-          bracketed && refine.strategy == scene::Strategy::adaptive
-              ? finer(scene, meshed, outcome.problem, mark(outcome.problem, outcome.indicator, refine.bulk), examined)
-              : finer(scene, meshed, bracketed ? outcome.problem : meshed.problem, {}, examined);
-      meshed.seconds = refining.seconds();
+      const auto& last = bracketed ? outcome.problem : meshed.problem;
+      std::vector<char> marked;
+      if (bracketed && refine.strategy == scene::Strategy::adaptive)
+        marked = mark(last, steering(outcome, refine, asked), refine.bulk);
+      Meshed<dim> next = finer(scene, meshed, last, std::move(marked), examined);
+      next.seconds = refining.seconds();
+      if (count_of_cells(next) > refine.max_cells) return finished(fmt::format("max_cells = {}", refine.max_cells));
+      meshed = std::move(next);
       size = fmt::format("{} cells", count_of_cells(meshed));
-      if (count_of_cells(meshed) > refine.max_cells)
-        return ended(std::move(outcome), refine, fmt::format("max_cells = {}", refine.max_cells), false);
     }
   } catch (const scene::Error& error) {
     if (error.status() != Status::budget) throw;
-    return ended(std::move(outcome), refine, error.what(), true);  // cells at the resolution of the coordinates
+    return end(std::move(outcome), error.what(), true);  // cells at the resolution of the coordinates
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::resource_unavailable_try_again) throw;
-    missing = "memory or number of threads";
+    lacking = "memory or number of threads";
   }
-  return ended(std::move(outcome), refine, fmt::format("the {} did not suffice for {}", missing, size), true);
+  return end(std::move(outcome), fmt::format("the {} did not suffice for {}", lacking, size), true);
 }
 
 }  // namespace

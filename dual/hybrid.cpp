@@ -13,18 +13,18 @@ using scene::Problem;
 using scene::Support;
 using scene::Vector;
 
-/// The loads of Γ_τ on the edge displacements of each body: ∫ P·μ.
+/// The loads on the edge displacements of each body: ∫ P·μ.
 template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim>& problem, const Layout& layout) {
   const auto& mesh = problem.mesh;
   std::vector<Eigen::VectorXd> loads;
   for (const auto& nodes : layout.body_nodes) loads.push_back(Eigen::VectorXd::Zero(nodes.back()));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    if (problem.facets[f].support != Support::traction) continue;
+    if (!scene::is_loaded(problem.facets[f])) continue;
     const auto& facet = mesh.boundary[f];
     const Edge& edge = layout.edges[facet.edge];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < 2; ++i) {
-      const Vector<dim> moment = scene::hat_moment(ends, i);
+      const Vector<dim> moment = edge.frame * scene::hat_moment(ends, i);
       const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
       for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
     }

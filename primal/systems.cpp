@@ -105,7 +105,7 @@ template <int dim>
 void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vector<Eigen::VectorXd>& loads) {
   const auto& mesh = problem.mesh;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    if (problem.facets[f].support != Support::traction) continue;
+    if (!scene::is_loaded(problem.facets[f])) continue;
     const auto& facet = mesh.boundary[f];
     Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
     const auto ends = scene::load(problem, static_cast<int>(f));

@@ -246,7 +246,7 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
 }  // namespace
 
 std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
-  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault})
+  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault, quantity_fault})
     if (Found fault = find(scene)) return fault;
   Found fault = settings_fault(scene.refine, scene.solve);
   if (fault) fault->where = scene.file;

@@ -27,6 +27,9 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene);
 /// Of a body that none of the blocks makes, where there are blocks.
 std::optional<Fault> unmade_body(const std::vector<Block<2>>& blocks, const std::string& body);
 
+/// Of quantities, names of contacts, and the goal of refinement.
+std::optional<Fault> quantity_fault(const Scene<2>& scene);
+
 /// The first fault of a scene that needs no mesh to be seen.
 std::optional<Fault> fault_of(const Scene<2>& scene);
 /// The same of a scene whose mesh is given: it may have neither blocks nor a mesh file.

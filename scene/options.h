@@ -11,6 +11,8 @@ enum class Plane { strain, stress };
 enum class ConditionKind { fixed, sliding, traction, pressure };
 enum class Strategy { none, uniform, adaptive };
 enum class Dual { hybrid, uzawa };
+enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy };
+enum class StressComponent { xx, yy, xy, mean };
 
 /// The names of an option's values, in their order.
 template <class Option> inline constexpr std::array<const char*, 0> option_names{};
@@ -18,6 +20,10 @@ template <> inline constexpr std::array option_names<Plane>{"strain", "stress"};
 template <> inline constexpr std::array option_names<ConditionKind>{"fixed", "sliding", "traction", "pressure"};
 template <> inline constexpr std::array option_names<Strategy>{"none", "uniform", "adaptive"};
 template <> inline constexpr std::array option_names<Dual>{"hybrid", "uzawa"};
+template <>
+inline constexpr std::array option_names<QuantityKind>{"displacement", "body",     "rotation", "force",
+                                                       "opening",      "reaction", "stress",   "energy"};
+template <> inline constexpr std::array option_names<StressComponent>{"xx", "yy", "xy", "mean"};
 
 template <class Option> std::string name(Option option) {
   return option_names<Option>[static_cast<std::size_t>(option)];

@@ -15,6 +15,7 @@
 #include "scene/problem/problem.h"
 #include "scene/problem/refine.h"
 #include "scene/problem/rigid_motion.h"
+#include "scene/quantity.h"
 
 /// The mechanical problem: geometry, mesh, materials, supports, loads and contact pairs; reading and checking them.
 /// Start with read_scene(), then build_mesh(), then fix_data(); the `Problem` that results is all that the two
@@ -82,6 +83,8 @@ template <int dim> struct ContactPair {
   Side second;
   std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides or to the obstacle; none to a wall
   std::string where = {};
+  std::string name = {};  ///< for quantities and reports; empty: its first part
+  int zones = 0;          ///< stretches of it, equally long, whose forces are wanted as intervals; 0: none
 };
 
 /// A boundary part that is an arc: vertices that refinement makes are put on it, and the data fixed anew on each mesh,
@@ -99,6 +102,8 @@ struct Refine {
   int max_levels = 30;       ///< meshes, ≥ 1
   int max_cells = 200000;    ///< of a mesh that is solved on, but for the first; ≥ 1
   double max_seconds = 600;  ///< ≥ 1; asked after each level
+  std::string goal = {};     ///< the quantity by whose width cells are marked; empty: the energy
+  bool all_levels = false;   ///< quantities on all meshes; else on the last and on some of the coarser ones
 };
 
 struct Solve {
@@ -119,6 +124,7 @@ template <int dim> struct Scene {
   std::map<std::string, Condition<dim>> boundary;
   std::map<std::string, Curve> curves;  ///< by boundary part
   std::vector<ContactPair<dim>> contact;
+  std::vector<Quantity<dim>> quantities;
   Refine refine;
   Solve solve;
 };

@@ -23,6 +23,7 @@ struct RunOptions {
   std::vector<std::string> overrides;  ///< "key=value"
   bool json = false;                   ///< print the report as JSON alone
   bool quiet = false;                  ///< print the interval alone
+  bool all_levels = false;             ///< quantities on all levels
   bool pictures = true;                ///< draw pictures and write report.html
   bool png = false;                    ///< pictures as PNG too
 };

@@ -56,6 +56,7 @@ void write_level(Results& results, const bounds::Outcome<2>& outcome) {
   so_far.running = true;
   write_fields(results.folder, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
+  if (!outcome.quantities.empty()) write_file(results.folder, "quantities.csv", quantities_csv(so_far));
   so_far.around.back().write = results.around.back().write = clock.seconds();
   write_file(results.folder, "report.json", report_json(so_far));
 }
@@ -96,8 +97,10 @@ void write_pictures(const Results& results, Report& report, bool png) {
 /// \return what could not be written, and why
 std::vector<std::string> write_end(const Results& results, const Report& report) {
   std::vector<std::string> missing;
-  for (const auto& [name, content] :
-       {std::pair("history.csv", history_csv(report)), std::pair("report.json", report_json(report))}) {
+  std::vector<std::pair<const char*, std::string>> files = {{"history.csv", history_csv(report)},
+                                                            {"report.json", report_json(report)}};
+  if (!report.outcome.quantities.empty()) files.emplace_back("quantities.csv", quantities_csv(report));
+  for (const auto& [name, content] : files) {
     try {
       write_file(results.folder, name, content);
     } catch (const scene::Error& error) {
@@ -147,7 +150,8 @@ std::string where(const std::filesystem::path& folder) {
 
 Ending run(const RunOptions& options) {
   const Clock clock;
-  const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
+  scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
+  scene.refine.all_levels = options.all_levels;
   Results results{.scene = scene,
                   .folder = results_folder(options.folder, options.scene, ".out"),
                   .clock = clock,

@@ -46,6 +46,7 @@ std::vector<Column> made() {
       {"seconds_dual", "/seconds/dual", of(&Level::seconds, &Seconds::dual), Shape::seconds},
       {"seconds_estimate", "/seconds/estimate", of(&Level::seconds, &Seconds::estimate), Shape::seconds},
       {"seconds_certify", "/seconds/certify", of(&Level::seconds, &Seconds::certify), Shape::seconds},
+      {"seconds_quantities", "/seconds/quantities", of(&Level::seconds, &Seconds::quantities), Shape::seconds},
       {"seconds_total", "/seconds/total", of(&Level::seconds, &Seconds::total), Shape::seconds},
       {"seconds_write", "/seconds/write", of(&LevelSeconds::write), Shape::seconds},
       {"seconds_elapsed", "/seconds/elapsed", of(&LevelSeconds::elapsed), Shape::seconds}};

@@ -41,11 +41,14 @@ std::string report_json(const Report& report);
 /// The heading of report.json, status, exit status and reason of a command that ended without a report.
 std::string error_json(scene::Status status, const std::string& reason);
 
+/// quantities.csv: a line of names, then a line per quantity and level it was computed on.
+std::string quantities_csv(const Report& report);
+
 /// history.csv: a line of names, then a line per level.
 std::string history_csv(const Report& report);
 
-/// One line: the interval of the energy, its width by its size, and the guaranteed relative error (both rounded up); or
-/// that there is no guarantee, and why.
+/// A line for each quantity, then one for the energy: the interval, its width by its size, and the guaranteed relative
+/// error (both rounded up); or that there is no guarantee, and why.
 std::string headline(const Report& report);
 
 /// All that follows the headline on the terminal: levels and what they cost, contact, checks, data, what was left out.

@@ -8,6 +8,7 @@
 #include "apps/report/columns.h"
 #include "apps/report/html.h"
 #include "apps/report/numbers.h"
+#include "apps/report/quantities.h"
 #include "apps/report/report.h"
 
 namespace bracket::apps {
@@ -43,6 +44,16 @@ std::string answer(const Report& report) {
       bound(lower, upper), bound(upper, lower), rounded_up_exponent(relative_width(outcome)),
       percent(outcome.relative_error_bound), outcome.levels.back().cells, outcome.levels.size(),
       outcome.levels.size() == 1 ? "" : "s", ending(report));
+}
+
+std::string quantities(const Report& report) {
+  Rows rows;
+  for (const bounds::QuantityInterval& one : report.outcome.quantities)
+    rows.push_back({escaped(one.name), escaped(told(one, one.zone < 0 ? report.scene.units : "")),
+                    std::to_string(one.levels.empty() ? 0 : one.levels.back().cells)});
+  return rows.empty() ? ""
+                      : "<h2>Quantities, between guaranteed bounds</h2>\n" +
+                            html_table({"quantity", "interval", "cells"}, rows, 2);
 }
 
 std::string scope(const Report& report) {
@@ -134,10 +145,11 @@ std::string seconds(const Report& report) {
   return "<h2>Where the time went</h2>\n" +
          html_table(head, {row("displacements", "primal"), row("stresses", "dual")}, 1) +
          fmt::format(
-             "<p>The two run side by side. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, write {}, pictures "
+             "<p>The two run side by side. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, quantities {}, "
+             "write {}, pictures "
              "{:.2f} seconds.</p>\n",
              report.read, in_all("seconds_mesh"), in_all("seconds_estimate"), in_all("seconds_certify"),
-             in_all("seconds_write"), report.pictures);
+             in_all("seconds_quantities"), in_all("seconds_write"), report.pictures);
 }
 
 std::string checks(const bounds::Checks& checks) {
@@ -172,6 +184,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
       "<style>{1}</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1><p>{2} · plane {3}{4}</p></header>\n",
       title, html_style, escaped(report.scene.file), name(report.scene.plane),
       report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
+  if (guaranteed) html += quantities(report);
   html += answer(report);
   if (guaranteed) html += scope(report) + pictures(report, drawings) + levels(report);
   html += seconds(report) + checks(outcome.levels.back().checks);

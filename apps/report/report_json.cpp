@@ -9,6 +9,7 @@
 #include "apps/report/columns.h"
 #include "apps/report/json.h"
 #include "apps/report/pairs.h"
+#include "apps/report/quantities.h"
 
 namespace bracket::apps {
 namespace {
@@ -99,11 +100,45 @@ double relative_width(const bounds::Outcome<2>& outcome) {
   return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
 }
 
+Json quantities_json(const Report& report) {
+  Json quantities = Json::array();
+  for (const bounds::QuantityInterval& one : report.outcome.quantities) {
+    if (one.zone >= 0) continue;
+    Json levels = Json::array();
+    for (const bounds::QuantityLevel& level : one.levels)
+      levels.push_back({{"cells", level.cells},
+                        {"lower", level.lower},
+                        {"upper", level.upper},
+                        {"s", level.s},
+                        {"seconds", level.seconds}});
+    quantities.push_back({{"name", one.name},
+                          {"kind", name(one.kind)},
+                          {"weighted", one.weighted},
+                          {"lower", one.lower},
+                          {"upper", one.upper},
+                          {"relative_width", one.relative_width},
+                          {"target_reached", one.target_reached},
+                          {"reason", one.reason},
+                          {"levels", levels}});
+  }
+  return quantities;
+}
+
+/// The forces of a contact's zones.
+Json zones_json(const Report& report, int contact) {
+  Json zones = Json::array();
+  for (const bounds::QuantityInterval& one : report.outcome.quantities)
+    if (one.contact == contact && one.zone >= 0)
+      zones.push_back({{"lower", one.lower}, {"upper", one.upper}, {"reason", one.reason}});
+  return zones;
+}
+
 Json contact_json(const Report& report) {
   Json pairs = Json::array();
   for (int i = 0; i < static_cast<int>(report.scene.contact.size()); ++i) {
     const PairSummary of = summary(report, i);
-    pairs.push_back({{"first", name(report.scene.contact[i].first)},
+    pairs.push_back({{"name", report.scene.contact[i].name},
+                     {"first", name(report.scene.contact[i].first)},
                      {"second", name(report.scene.contact[i].second)},
                      {"force", of.force},
                      {"length", of.length},
@@ -111,6 +146,7 @@ Json contact_json(const Report& report) {
                      {"largest_pressure", of.largest_pressure},
                      {"at", {of.at[0], of.at[1]}},
                      {"grows", of.grows}});
+    if (report.scene.contact[i].zones > 0) pairs.back()["zones"] = zones_json(report, i);
   }
   return pairs;
 }
@@ -138,6 +174,7 @@ std::string report_json(const Report& report) {
                       {"oscillation_energy", last.oscillation_energy},
                       {"oscillation_part", last.oscillation_part},
                       {"levels", levels},
+                      {"quantities", quantities_json(report)},
                       {"checks", checks_json(last.checks, outcome.problem.oscillation)},
                       {"contact", contact_json(report)},
                       {"loads_changed", outcome.problem.imbalance},

@@ -8,6 +8,7 @@
 #include "apps/report/columns.h"
 #include "apps/report/numbers.h"
 #include "apps/report/pairs.h"
+#include "apps/report/quantities.h"
 #include "apps/report/report.h"
 
 namespace bracket::apps {
@@ -61,22 +62,34 @@ std::string seconds_table(const Report& report) {
       text += fmt::format("{:>10.2f}", sum(fmt::format("{}_{}", formulation, phase), report));
     text += fmt::format("{:>10.2f}\n", sum(fmt::format("seconds_{}", formulation), report));
   }
-  return text +
-         fmt::format(
-             "  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, write {:.2f}, pictures "
-             "{:.2f}\n",
-             report.read, sum("seconds_mesh", report), sum("seconds_estimate", report), sum("seconds_certify", report),
-             sum("seconds_write", report), report.pictures);
+  return text + fmt::format(
+                    "  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f}, "
+                    "write {:.2f}, pictures "
+                    "{:.2f}\n",
+                    report.read, sum("seconds_mesh", report), sum("seconds_estimate", report),
+                    sum("seconds_certify", report), sum("seconds_quantities", report), sum("seconds_write", report),
+                    report.pictures);
 }
 
 // What one pair transmits, and whether its largest pressure says something.
 std::string pair_line(const Report& report, int pair) {
   const PairSummary of = summary(report, pair);
-  const auto& [first, second, gap, where] = report.scene.contact[pair];
+  const auto& contact = report.scene.contact[pair];
   return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}{}, pressed on {:.4g} of a length of {:.4g}\n",
-                     name(first), name(second), of.force, of.largest_pressure,
+                     name(contact.first), name(contact.second), of.force, of.largest_pressure,
                      of.grows.empty() ? "" : " (grows with refinement: at " + of.grows + ")", of.pressed_length,
                      of.length);
+}
+
+/// The forces of a contact's zones, and where it presses for sure.
+std::string zone_lines(const Report& report, int pair) {
+  std::string text;
+  if (report.outcome.guarantee == "none") return text;
+  for (const bounds::QuantityInterval& one : report.outcome.quantities)
+    if (one.contact == pair && one.zone >= 0)
+      text +=
+          fmt::format("    {}: force {}{}\n", one.name, told(one, ""), one.lower > 0 ? "   in contact somewhere" : "");
+  return text;
 }
 
 std::string contact_text(const Report& report) {
@@ -85,7 +98,8 @@ std::string contact_text(const Report& report) {
   std::string text =
       fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
                   primal.active_rows, primal.rows, primal.iterations, dual.active_rows, dual.rows, dual.iterations);
-  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) text += pair_line(report, pair);
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
+    text += pair_line(report, pair) + zone_lines(report, pair);
   return text;
 }
 
@@ -150,8 +164,8 @@ std::string what_else(const Report& report) {
 
 std::string headline(const Report& report) {
   if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
-  return fmt::format("energy in [{}, {}]   {}{}\n", report.outcome.lower, report.outcome.upper,
-                     accuracy(report.outcome), what_else(report));
+  return quantity_lines(report) + fmt::format("energy in [{}, {}]   {}{}\n", report.outcome.lower, report.outcome.upper,
+                                              accuracy(report.outcome), what_else(report));
 }
 
 std::string report_text(const Report& report) {

@@ -8,27 +8,54 @@ namespace bracket::bounds {
 using scene::Support;
 using scene::Vector;
 
-std::vector<const Vector<2>*> fixed_vertices(const scene::Problem<2>& first) {
-  std::vector<const Vector<2>*> fixed(first.mesh.vertices.size(), nullptr);
+namespace {
+
+/// What a perturbation adds at the ends of a facet of the first mesh, of which one end is another's that is fixed.
+Added added_at(const scene::Problem<2>& problem, const std::array<FacetEnd, 2>& ends) {
+  const auto& [by, loads, kinematics] = problem.perturbed;
+  if (!by || kinematics == 0) return {};
+  Added added{{}, {0, 0}, kinematics};
+  for (int i = 0; i < 2; ++i) {
+    added.end[i] = by->facets[ends[i].facet].displacement[ends[i].end];
+    added.normal[i] = by->facets[ends[i].facet].normal_displacement[ends[i].end];
+  }
+  return added;
+}
+
+}  // namespace
+
+std::vector<FacetEnd> fixed_vertices(const scene::Problem<2>& first) {
+  std::vector<FacetEnd> fixed(first.mesh.vertices.size());
   for (std::size_t f = 0; f < first.facets.size(); ++f)
     for (int i = 0; i < 2 && first.facets[f].support == Support::fixed; ++i)
-      fixed[first.mesh.boundary[f].vertices[i]] = &first.facets[f].displacement[i];
+      fixed[first.mesh.boundary[f].vertices[i]] = {static_cast<int>(f), i};
   return fixed;
 }
 
-std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const Vector<2>*>& fixed,
-                               int facet) {
+std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<FacetEnd>& fixed, int facet) {
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const scene::Problem<2>& first = scene::first_of(problem);
-  Slide slide{first.facets[of].normal, first.facets[of].normal_displacement, {}, {}, 0};
+  Slide slide{first.facets[of].normal, first.facets[of].normal_displacement};
+  std::array<FacetEnd, 2> ends;
   for (int i = 0; i < 2; ++i) {
-    const Vector<2>* held = fixed[first.mesh.boundary[of].vertices[i]];
-    slide.fixed[i] = held != nullptr;
-    slide.displacement[i] = held != nullptr ? *held : Vector<2>(Vector<2>::Zero());
+    const FacetEnd& held = fixed[first.mesh.boundary[of].vertices[i]];
+    slide.fixed[i] = held.facet >= 0;
+    if (slide.fixed[i]) slide.displacement[i] = first.facets[held.facet].displacement[held.end];
+    ends[i] = slide.fixed[i] ? held : FacetEnd{of, i};
   }
-  std::array<Slide, 2> ends = {slide, slide};
-  for (int i = 0; i < 2; ++i) ends[i].t = corner[i][0];
-  return ends;
+  slide.added = added_at(problem, ends);
+  std::array<Slide, 2> slides = {slide, slide};
+  for (int i = 0; i < 2; ++i) slides[i].t = corner[i][0];
+  return slides;
+}
+
+std::array<Held, 2> holds_of(const scene::Problem<2>& problem, int facet) {
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  std::array<Held, 2> holds;
+  for (int i = 0; i < 2; ++i)
+    holds[i] = {scene::first_of(problem).facets[of].displacement, corner[i][0],
+                added_at(problem, {FacetEnd{of, 0}, FacetEnd{of, 1}})};
+  return holds;
 }
 
 std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
@@ -38,14 +65,14 @@ std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
     for (std::size_t f = 0; f < problem.facets.size(); ++f) {
       if (problem.facets[f].support != kind) continue;
       const int facet = static_cast<int>(f);
-      const auto [of, corner] = scene::piece_of_facet(problem, facet);
       const auto slides = slides_of(problem, fixed, facet);
+      const auto holds = holds_of(problem, facet);
       for (int i = 0; i < 2; ++i) {
         VertexSupport& vertex = supports[problem.mesh.boundary[f].vertices[i]];
         const Vector<2>& n = slides[i].normal;
         if (kind == Support::fixed) {
           vertex.fixed = true;
-          vertex.held = {scene::first_of(problem).facets[of].displacement, corner[i][0]};
+          vertex.held = holds[i];
         } else if (!vertex.fixed && vertex.slides < 2 &&
                    (vertex.slides == 0 || (vertex.slide[0].normal != n && vertex.slide[0].normal != -n))) {
           vertex.slide[vertex.slides++] = slides[i];
@@ -60,9 +87,15 @@ namespace {
 PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                  const std::vector<VertexSupport>& supports) {
   PlainField field{displacement.vertex, {}};
-  for (std::size_t v = 0; v < supports.size(); ++v)
-    if (const auto& [end, t] = supports[v].held; supports[v].fixed)
-      for (int c = 0; c < 2; ++c) field.vertex[v][c] = between_ends(end[0][c], end[1][c], t);
+  for (std::size_t v = 0; v < supports.size(); ++v) {
+    const auto& [end, t, added] = supports[v].held;
+    if (!supports[v].fixed) continue;
+    for (int c = 0; c < 2; ++c) {
+      field.vertex[v][c] = between_ends(end[0][c], end[1][c], t);
+      if (added.factor != 0)
+        field.vertex[v][c] += added.factor * between_ends(added.end[0].value[c], added.end[1].value[c], t);
+    }
+  }
   if (displacement.degree == 1) return field;
   const auto& mesh = problem.mesh;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -130,15 +163,15 @@ AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::
   for (int sweep = 0; sweep < most; ++sweep) {
     bool settled = true;
     for (const auto& pair : problem.contact)
-      for (int k = 0; k < 3; ++k) {  // both ends, then the middle
+      for (const int k : {0, 2, 1}) {  // both ends, then the middle
         const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
         if (!std::isfinite(missing)) return {{}, "the displacements are too large for their energies to be enclosed"};
         if (missing == 0) continue;
         settled = false;
-        if (k < 2 ? make_way(problem, supports, field, pair, k, missing)
-                  : make_way_between(problem, supports, field, pair, missing))
+        if (k == 1 ? make_way_between(problem, supports, field, pair, missing)
+                   : make_way(problem, supports, field, pair, k / 2, missing))
           continue;
-        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k % 2]];
+        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k / 2]];
         return {{},
                 fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
                             at[1], missing)};

@@ -11,11 +11,23 @@
 /// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
 namespace bracket::bounds {
 
+/// What a perturbation adds to the displacements prescribed at the ends of a facet of the first mesh.
+struct Added {
+  std::array<scene::TwofoldVector<2>, 2> end = {};  ///< U
+  std::array<double, 2> normal = {0, 0};            ///< of U_n beside U·n
+  double factor = 0;                                ///< 0: nothing
+};
+
 /// The displacement that a facet of Γ_u on the first mesh prescribes, at a point of it.
 struct Held {
   std::array<scene::Vector<2>, 2> end = {scene::Vector<2>::Zero(), scene::Vector<2>::Zero()};  ///< at its vertices
   double t = 0;  ///< the point: 0 at vertex 0, 1 at vertex 1
+  Added added = {};
 };
+/// U there.
+template <class Number> Vector2<Number> added(const Held& held) {
+  return between_ends(vector2<Number>(held.added.end[0]), vector2<Number>(held.added.end[1]), held.t);
+}
 
 /// What a facet of Γ_0 on the first mesh prescribes along its normal, at a point of it: linear between its vertices. At
 /// a vertex that is fixed it is what that displacement has along the normal.
@@ -25,13 +37,22 @@ struct Slide {
   std::array<bool, 2> fixed = {false, false};
   std::array<scene::Vector<2>, 2> displacement = {scene::Vector<2>::Zero(), scene::Vector<2>::Zero()};  ///< where fixed
   double t = 0;
+  Added added = {};
 };
+/// U_n there.
+template <class Number> Number added(const Slide& slide) {
+  const Vector2<Number> n = vector2<Number>(slide.normal);
+  std::array<Number, 2> end;
+  for (int i = 0; i < 2; ++i) end[i] = dot(vector2<Number>(slide.added.end[i]), n) + Number(slide.added.normal[i]);
+  return between_ends(end[0], end[1], slide.t);
+}
 template <class Number> Number value(const Slide& slide) {
   std::array<Number, 2> end;
   for (int i = 0; i < 2; ++i)
     end[i] = slide.fixed[i] ? dot(vector2<Number>(slide.displacement[i]), vector2<Number>(slide.normal))
                             : Number(slide.end[i]);
-  return between_ends(end[0], end[1], slide.t);
+  const Number own = between_ends(end[0], end[1], slide.t);
+  return slide.added.factor == 0 ? own : own + Number(slide.added.factor) * added<Number>(slide);
 }
 
 /// What the supports prescribe at a vertex.
@@ -43,17 +64,24 @@ struct VertexSupport {
 };
 std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem);
 
-/// Of each vertex of the first mesh: the displacement by which Γ_u holds it, null: it does not.
-std::vector<const scene::Vector<2>*> fixed_vertices(const scene::Problem<2>& first);
+/// Of each vertex of the first mesh: the facet of Γ_u that holds it, −1: none, and which of its ends it is.
+struct FacetEnd {
+  int facet = -1;
+  int end = 0;
+};
+std::vector<FacetEnd> fixed_vertices(const scene::Problem<2>& first);
 /// What is prescribed at the ends of a facet of Γ_0. \param fixed as fixed_vertices() has them
-std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<const scene::Vector<2>*>& fixed,
-                               int facet);
+std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<FacetEnd>& fixed, int facet);
 /// What is prescribed at the ends of a facet of Γ_u.
+std::array<Held, 2> holds_of(const scene::Problem<2>& problem, int facet);
 template <class Number> std::array<Vector2<Number>, 2> held_at(const scene::Problem<2>& problem, int facet) {
-  const auto [of, corner] = scene::piece_of_facet(problem, facet);
-  const auto& [a, b] = scene::first_of(problem).facets[of].displacement;
   std::array<Vector2<Number>, 2> u;
-  for (int i = 0; i < 2; ++i) u[i] = between_ends(vector2<Number>(a), vector2<Number>(b), corner[i][0]);
+  const auto holds = holds_of(problem, facet);
+  for (int i = 0; i < 2; ++i) {
+    const auto& [a, b] = holds[i].end;
+    u[i] = between_ends(vector2<Number>(a), vector2<Number>(b), holds[i].t);
+    if (holds[i].added.factor != 0) u[i] = u[i] + Number(holds[i].added.factor) * added<Number>(holds[i]);
+  }
   return u;
 }
 
@@ -79,7 +107,11 @@ template <class Number> Vector2<Number> shift(const VertexSupport& support, cons
     const auto& [a, b] = support.held.end;
     const Vector2<Number> from = between<Number>(displacement, a);
     const double t = support.held.t;
-    return t == 0 ? from : t == 1 ? between<Number>(displacement, b) : from + Number(t) * between<Number>(a, b);
+    const Vector2<Number> own = t == 0   ? from
+                                : t == 1 ? between<Number>(displacement, b)
+                                         : from + Number(t) * between<Number>(a, b);
+    const double factor = support.held.added.factor;
+    return factor == 0 ? own : own + Number(factor) * added<Number>(support.held);
   }
   if (support.slides == 0) return {};
   if (support.slides == 1) return onto(u, support.slide[0].normal, value<Number>(support.slide[0]));
@@ -113,10 +145,9 @@ Number approach(const std::vector<VertexSupport>& supports, const PlainField& fi
   return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, vector2<Number>(d));
 }
 
-/// r − g of one contact facet, g the lower gap, as Bernstein coefficients: at its vertices 0 and 1 and in the middle.
-/// In K all are ≤ 0.
+/// r of one contact facet, as Bernstein coefficients: at its vertex 0, in the middle and at its vertex 1.
 template <class Number>
-std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+std::array<Number, 3> approach_on(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                   const PlainField& field, const scene::ContactFacet& pair) {
   const auto& mesh = problem.mesh;
   const auto& first = mesh.boundary[pair.first];
@@ -124,7 +155,7 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
   std::array<Number, 3> r;
   for (int i = 0; i < 2; ++i) {
     const int across = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
-    r[i] = approach<Number>(supports, field, first.vertices[i], across, d);
+    r[2 * i] = approach<Number>(supports, field, first.vertices[i], across, d);
   }
   Number bubble(0);
   if (!field.bubble.empty()) {
@@ -132,9 +163,16 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
     if (pair.second >= 0)
       bubble -= dot(vector2<Number>(field.bubble[mesh.boundary[pair.second].edge]), vector2<Number>(d));
   }
-  r[2] = (r[0] + r[1]) / Number(2) + Number(2) * bubble - Number(pair.lower[1]);
-  r[0] -= Number(pair.lower[0]);
-  r[1] -= Number(pair.lower[2]);
+  r[1] = (r[0] + r[2]) / Number(2) + Number(2) * bubble;
+  return r;
+}
+
+/// r − g of one contact facet, g the lower gap, likewise. In K all are ≤ 0.
+template <class Number>
+std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                                  const PlainField& field, const scene::ContactFacet& pair) {
+  std::array<Number, 3> r = approach_on<Number>(problem, supports, field, pair);
+  for (int i = 0; i < 3; ++i) r[i] -= Number(pair.lower[i]);
   return r;
 }
 
@@ -191,17 +229,24 @@ template <class Number> struct Corrected {
   FacetLoad<Number> load;
 };
 
-/// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
+/// Adds what corrections have on a facet of Γ_τ to a load on it.
 template <class Number>
-FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
-                                  int facet) {
-  FacetLoad<Number> load = given_load<Number>(problem, facet);
-  if (corrections.empty()) return load;
+void add_corrections(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet,
+                     FacetLoad<Number>& load) {
+  if (corrections.empty()) return;
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const Number width(corner[1][0] - corner[0][0]);
   for (const auto& [corrected, added] : corrections)
     for (int i = 0; i < 2 && corrected == of; ++i)
       load[i] = load[i] + width * between_ends(added[0], added[1], corner[i][0]);
+}
+
+/// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
+template <class Number>
+FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
+                                  int facet) {
+  FacetLoad<Number> load = given_load<Number>(problem, facet);
+  add_corrections(problem, corrections, facet, load);
   return load;
 }
 
@@ -209,22 +254,60 @@ FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::v
 template <class Number>
 bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
   const int of = scene::piece_of_facet(problem, facet).of;
-  return scene::is_loaded(scene::first_of(problem).facets[of]) ||
+  return scene::is_loaded(scene::first_of(problem).facets[of]) || has_perturbing_load(problem, facet) ||
          std::any_of(corrections.begin(), corrections.end(), [&](const auto& one) { return one.facet == of; });
 }
 
-/// ∫ T·u dτ over a facet of Γ_τ, T linear.
+/// The field that a plain one stands for: what is added to it.
+template <class Number> struct MovedField {
+  std::vector<Vector2<Number>> shifts;   ///< of all vertices, to the plain displacements
+  std::vector<Vector2<Number>> bubbles;  ///< of all edges, moved onto the supports; empty for degree 1
+};
 template <class Number>
-Number facet_work(const scene::Mesh<2>& mesh, const std::vector<VertexSupport>& supports, const PlainField& field,
-                  int facet, const std::array<Vector2<Number>, 2>& load) {
+MovedField<Number> moved(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                         const PlainField& field) {
+  MovedField<Number> result;
+  for (std::size_t v = 0; v < field.vertex.size(); ++v)
+    result.shifts.push_back(shift<Number>(supports[v], field.vertex[v]));
+  for (const auto& w : field.bubble) result.bubbles.push_back(vector2<Number>(w));
+  for (std::size_t f = 0; f < problem.facets.size() && !result.bubbles.empty(); ++f)
+    if (Vector2<Number>& w = result.bubbles[problem.mesh.boundary[f].edge];
+        problem.facets[f].support == scene::Support::sliding)
+      w = w + onto(w, problem.facets[f].normal, Number(0));
+  return result;
+}
+
+/// ∫ F·u over a cell.
+template <class Number>
+Number cell_work(const scene::Problem<2>& problem, const PlainField& field, const MovedField<Number>& moved,
+                 const Vector2<Number>& force, int cell) {
+  Vector2<Number> u;  // three times its mean
+  for (int k = 0; k < 3; ++k) {
+    const int v = problem.mesh.cells[cell][k];
+    u = u + vector2<Number>(field.vertex[v]) + moved.shifts[v];
+    if (!moved.bubbles.empty()) u = u + moved.bubbles[problem.mesh.cell_edges[cell][k]];
+  }
+  return doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(force, u);
+}
+
+/// ∫ T·u dτ over a facet of Γ_τ or Γ_K, T linear.
+template <class Number>
+Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const MovedField<Number>& moved, int facet,
+                  const std::array<Vector2<Number>, 2>& load) {
   std::array<Vector2<Number>, 2> u;
   for (int i = 0; i < 2; ++i) {
     const int v = mesh.boundary[facet].vertices[i];
-    u[i] = vector2<Number>(field.vertex[v]) + shift<Number>(supports[v], field.vertex[v]);
+    u[i] = vector2<Number>(field.vertex[v]) + moved.shifts[v];
   }
   const Number linear = linear_product(load, u);
   if (field.bubble.empty()) return linear;
   return linear + dot(load[0] + load[1], vector2<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
+}
+
+/// ∫ f r dτ over a contact facet. \param f linear, at the vertices   \param r Bernstein coefficients
+template <class Number> Number integral_of_product(const std::array<Number, 2>& f, const std::array<Number, 3>& r) {
+  const Number two(2), three(3);
+  return (f[0] * (three * r[0] + two * r[1] + r[2]) + f[1] * (r[0] + two * r[1] + three * r[2])) / Number(12);
 }
 
 /// L of the field that `field` stands for [HH81 §1].
@@ -233,31 +316,24 @@ template <class Number, class Sum>
 FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
                                  const PlainField& field, const std::vector<Corrected<Number>>& corrections) {
   const auto& mesh = problem.mesh;
-  std::vector<Vector2<Number>> shifts(field.vertex.size()), bubbles;
-  for (std::size_t v = 0; v < shifts.size(); ++v) shifts[v] = shift<Number>(supports[v], field.vertex[v]);
-  for (const auto& w : field.bubble) bubbles.push_back(vector2<Number>(w));
-  for (std::size_t f = 0; f < problem.facets.size() && !bubbles.empty(); ++f)
-    if (Vector2<Number>& w = bubbles[mesh.boundary[f].edge]; problem.facets[f].support == scene::Support::sliding)
-      w = w + onto(w, problem.facets[f].normal, Number(0));
-
+  const MovedField<Number> all = moved<Number>(problem, supports, field);
   const auto forms = elastic_forms<Number>(problem);
   Sum strain, work;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c), body = mesh.cell_body[c];
-    strain.add(cell_strain_energy(problem, forms[body], field, shifts, bubbles, cell));
-    const scene::Vector<2>& force = problem.bodies[body].force;
-    if (force.isZero(0)) continue;
-    Vector2<Number> u;  // three times its mean
-    for (int k = 0; k < 3; ++k) {
-      u = u + vector2<Number>(field.vertex[mesh.cells[c][k]]) + shifts[mesh.cells[c][k]];
-      if (!bubbles.empty()) u = u + bubbles[mesh.cell_edges[c][k]];
-    }
-    work.add(doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(vector2<Number>(force), u));
+    strain.add(cell_strain_energy(problem, forms[body], field, all.shifts, all.bubbles, cell));
+    if (has_force(problem, body)) work.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
     if (!carries_load(problem, corrections, facet)) continue;
-    work.add(facet_work<Number>(mesh, supports, field, facet, prescribed_load(problem, corrections, facet)));
+    work.add(facet_work<Number>(mesh, field, all, facet, prescribed_load(problem, corrections, facet)));
+  }
+  for (const auto& pair : problem.contact) {
+    if (!problem.perturbed.by) break;
+    const Number factor(problem.perturbed.loads);
+    work.add(factor * integral_of_product(opening_load<Number>(problem, pair),
+                                          approach_on<Number>(problem, supports, field, pair)));
   }
   const Number half_a = strain.value();
   return {half_a, half_a - work.value()};

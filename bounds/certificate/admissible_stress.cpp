@@ -71,7 +71,8 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>&
       const auto across = on_facet(pair.second);
       for (int i = 0; i < 2; ++i) pressure[i] = (pressure[i] + across[1 - i]) / 2;
     }
-    for (double& p : pressure) p = std::max(0.0, -p);
+    const auto opening = opening_load<double>(problem, pair);
+    for (int i = 0; i < 2; ++i) pressure[i] = std::max(0.0, problem.perturbed.loads * opening[i] - pressure[i]);
   }
   drop_noise(problem, loads);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)

@@ -54,7 +54,11 @@ template <class Number> void spread_normal_loads(const scene::Problem<2>& proble
     if (problem.facets[f].support == scene::Support::sliding)
       along(static_cast<int>(f), loads.along_normal[f][0], loads.along_normal[f][1]);
   for (const auto& pair : problem.contact) {
-    const auto& p = loads.along_normal[pair.first];
+    auto p = loads.along_normal[pair.first];
+    if (problem.perturbed.by) {
+      const auto opening = opening_load<Number>(problem, pair);
+      for (int i = 0; i < 2; ++i) p[i] -= Number(problem.perturbed.loads) * opening[i];
+    }
     along(pair.first, -p[0], -p[1]);
     if (pair.second >= 0) along(pair.second, -p[1], -p[0]);  // its normal is the opposite
   }
@@ -106,9 +110,9 @@ Wrench<Number> imbalance(const scene::Problem<2>& problem, const LoadedCell<Numb
     sum.force = sum.force + part.force;
     sum.moment += part.moment;
   }
-  const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
-  if (force.isZero(0)) return sum;
-  const Vector2<Number> weight = (doubled_area(block.x) / Number(2)) * vector2<Number>(force);
+  const int body = problem.mesh.cell_body[cell];
+  if (!has_force(problem, body)) return sum;
+  const Vector2<Number> weight = (doubled_area(block.x) / Number(2)) * body_force<Number>(problem, body);
   sum.force = sum.force + weight;
   sum.moment += cross(block.x[1] + block.x[2], weight) / Number(3);
   return sum;
@@ -117,11 +121,11 @@ Wrench<Number> imbalance(const scene::Problem<2>& problem, const LoadedCell<Numb
 /// The stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the centroid.
 template <class Number>
 BlockStress<Number> block_stress(const scene::Problem<2>& problem, LoadedCell<Number> block, int cell) {
-  const scene::Vector<2>& force = problem.bodies[problem.mesh.cell_body[cell]].force;
+  const int body = problem.mesh.cell_body[cell];
   std::array<std::array<Number, 2>, 3> carried;  // xx, yy at the corners
-  const Vector2<Number> f = vector2<Number>(force);
-  const bool has_force = !force.isZero(0);
-  if (has_force) {
+  const bool heavy = has_force(problem, body);
+  if (heavy) {
+    const Vector2<Number> f = body_force<Number>(problem, body);
     const Vector2<Number> centroid = (Number(1) / Number(3)) * (block.x[0] + block.x[1] + block.x[2]);
     for (int i = 0; i < 3; ++i) carried[i] = {f.x * (centroid.x - block.x[i].x), f.y * (centroid.y - block.x[i].y)};
     for (int i = 0; i < 3; ++i) {
@@ -133,7 +137,7 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, LoadedCell<Nu
     }
   }
   BlockStress<Number> stress = stress_of_balanced(block.x, block.load);
-  for (int i = 0; has_force && i < 3; ++i)
+  for (int i = 0; heavy && i < 3; ++i)
     for (int end = 0; end < 2; ++end)
       for (int k = 0; k < 2; ++k) stress[i][end][k] += carried[(i + end) % 3][k];
   return stress;
@@ -178,12 +182,9 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
       energy.add(-linear_product(at0, at1, value<Number>(begin), value<Number>(end)));
     }
   }
-  for (const auto& pair : problem.contact) {  // ∫ φ_i g of the hat functions φ_i, from Bernstein coefficients
-    const auto& p = loads.along_normal[pair.first];
-    const Number begin(pair.upper[0]), middle(pair.upper[1]), end(pair.upper[2]), two(2), three(3);
-    energy.add((p[0] * (three * begin + two * middle + end) + p[1] * (begin + two * middle + three * end)) /
-               Number(12));
-  }
+  for (const auto& pair : problem.contact)
+    energy.add(integral_of_product<Number>(loads.along_normal[pair.first],
+                                           {Number(pair.upper[0]), Number(pair.upper[1]), Number(pair.upper[2])}));
   return energy.value();
 }
 

@@ -22,4 +22,21 @@ template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                     const scene::Stress<dim>& stress);
 
+/// A bound of the functional J of a perturbation (scene/problem/perturbation.h) at the solution of the problem that it
+/// was added to, f times: by docs/theory.md §8, for every v in K and every λ in K⁺ of the perturbed problem,
+///     f J ≤ f Q(v) + f R(λ) + ½ (L_f(v) + S_f(λ) + κ_f),     κ_f = ∫ p (g + f ψ − r(v)).
+/// With f > 0 it bounds J from above, with f < 0 from below.
+struct FunctionalBound {
+  bool valid = false;
+  std::string reason;     ///< if not: one line
+  double above = 0;       ///< ≥ f J
+};
+/// Along motions that nothing holds the loads of the functional must be in balance; what they lack by rounding is taken
+/// off them, and so from what J means.
+/// \param problem perturbed, with one factor f for loads and kinematics
+/// \param displacement, stress need not solve anything; they are moved into K and K⁺ as certify() does
+template <int dim>
+FunctionalBound certify_functional(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                                   const scene::Stress<dim>& stress);
+
 }  // namespace bracket::bounds

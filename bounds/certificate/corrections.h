@@ -22,10 +22,10 @@ template <class Number> struct Corrections {
   std::string reason;  ///< if they cannot be had: one line
 };
 
-/// The corrections of the first mesh's loads by their true amounts, of those that are on Γ_τ (others are zero): those
-/// with which the loads are in balance along all motions on which neither supports nor the pairs that carry act at all.
-template <class Number, class Sum> Corrections<Number> corrected(const scene::Problem<2>& problem) {
-  const scene::Problem<2>& first = scene::first_of(problem);
+/// The corrections of a problem's loads by their true amounts, of those that are on Γ_τ (others are zero): those with
+/// which the loads are in balance along all motions on which neither supports nor the pairs that carry act at all.
+/// \param first on its first mesh; perturbed, its loads are the sums
+template <class Number, class Sum> Corrections<Number> corrected(const scene::Problem<2>& first) {
   if (first.corrections.empty()) return {};
   const std::vector<Reference> about = references(first.mesh);
   const PlainLoads assumed = assumed_loads(first);

@@ -44,12 +44,12 @@ std::vector<Number> totals(const scene::Problem<2>& problem, const std::vector<R
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c), component = mesh.cell_component[c];
-    const scene::Vector<2>& force = body_of(problem, cell).force;
-    if (force.isZero(0)) continue;
+    const int body = mesh.cell_body[c];
+    if (!has_force(problem, body)) continue;
     const auto x = corners<Number>(problem, cell);
     const Vector2<Number> to_centroid =
         arm_of_cell<Number>(problem, references[component].point, cell) + (Number(1) / Number(3)) * (x[1] + x[2]);
-    const Vector2<Number> weight = (doubled_area(x) / Number(2)) * vector2<Number>(force);
+    const Vector2<Number> weight = (doubled_area(x) / Number(2)) * body_force<Number>(problem, body);
     add(component, {weight, cross(to_centroid, weight)});
   }
   std::vector<Number> result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "scene/enclosure.h"
 #include "scene/problem/problem.h"
@@ -12,9 +13,14 @@ namespace bracket::bounds {
 using scene::Enclosure;
 using scene::LongSum;
 
+inline double root(double x) { return std::sqrt(x); }
+
 template <class Number> struct Vector2 { Number x = Number(0), y = Number(0); };
 
 template <class Number> Vector2<Number> vector2(const scene::Vector<2>& v) { return {Number(v[0]), Number(v[1])}; }
+template <class Number> Vector2<Number> vector2(const scene::TwofoldVector<2>& v) {
+  return {Number(v.value[0]) + Number(v.rest[0]), Number(v.value[1]) + Number(v.rest[1])};
+}
 /// The vector from a to b: exact, or with the rounding of one subtraction.
 template <class Number> Vector2<Number> between(const scene::Vector<2>& a, const scene::Vector<2>& b) {
   return vector2<Number>(b) - vector2<Number>(a);

@@ -77,9 +77,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     }
   }
   for (const auto& pair : problem.contact) {
-    const auto t = tractions(mesh, stress, pair.first);
-    const Vector<dim>& n = problem.facets[pair.first].normal;
-    const double p0 = -t[0].dot(n), p1 = -t[1].dot(n);
+    const auto [p0, p1] = plain_pressure(problem, stress, pair);
     energy += simpson(p0 * pair.upper[0], (p0 + p1) / 2 * scene::at_middle(pair.upper), p1 * pair.upper[2],
                       scene::length(mesh, pair.first));
   }

@@ -11,15 +11,6 @@ using scene::Voigt;
 
 namespace {
 
-/// −d·λ_h d on a contact facet, as computed: the gap identity needs it as it is.
-template <int dim>
-std::array<double, 2> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
-                                     const scene::ContactFacet& pair) {
-  const Vector<dim>& d = problem.facets[pair.first].normal;
-  const auto t = tractions(problem.mesh, stress, pair.first);
-  return {-t[0].dot(d), -t[1].dot(d)};
-}
-
 /// g − r(u_h) at the vertices and the midpoint.
 template <int dim>
 std::array<double, 3> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,

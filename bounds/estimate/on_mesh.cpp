@@ -59,6 +59,20 @@ std::array<Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim>& mesh
   return result;
 }
 
+template <int dim>
+std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& problem,
+                                                    const scene::Stress<dim>& stress, const scene::ContactFacet& pair) {
+  const Vector<dim>& d = problem.facets[pair.first].normal;
+  auto t = tractions(problem.mesh, stress, pair.first);
+  if (scene::is_loaded(problem.facets[pair.first])) {
+    const auto load = scene::load(problem, pair.first);
+    for (int i = 0; i < dim; ++i) t[i] -= load[i] / scene::length(problem.mesh, pair.first);
+  }
+  std::array<double, dim> pressure;
+  for (int i = 0; i < dim; ++i) pressure[i] = -t[i].dot(d);
+  return pressure;
+}
+
 template <int dim> double largest_given(const scene::Problem<dim>& problem) {
   double largest = 0;
   for (const auto& data : problem.facets)
@@ -73,6 +87,8 @@ template std::array<Voigt<2>, 3> strain_at_vertices(const scene::Mesh<2>&, const
 template std::array<Voigt<2>, 3> displacement_stress(const scene::Problem<2>&, const scene::Displacement<2>&, int);
 template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
 template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
+template std::array<double, 2> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
+                                              const scene::ContactFacet&);
 template double largest_given(const scene::Problem<2>&);
 
 }  // namespace bracket::bounds

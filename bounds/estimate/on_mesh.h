@@ -22,6 +22,12 @@ template <int dim>
 std::array<scene::Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim>& mesh,
                                                            const scene::Stress<dim>& stress, int facet);
 
+/// The pressure of λ_h on a contact facet, at the first facet's vertices, as computed: what λ_h n has along d beside
+/// the loads of a perturbed problem. The gap identity needs it as it is.
+template <int dim>
+std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& problem,
+                                                    const scene::Stress<dim>& stress, const scene::ContactFacet& pair);
+
 /// The largest of the prescribed displacements and gaps.
 template <int dim> double largest_given(const scene::Problem<dim>& problem);
 

@@ -171,7 +171,7 @@ double bounding_box_diagonal(const Mesh<2>& mesh) {
 
 template <int dim> bool is_loaded(const FacetData<dim>& data) {
   const auto acts = [](const Vector<dim>& load) { return !load.isZero(0); };
-  return data.support == Support::traction &&
+  return (data.support == Support::traction || data.support == Support::contact) &&
          (std::any_of(data.traction.begin(), data.traction.end(), acts) ||
           std::any_of(data.correction.begin(), data.correction.end(), acts) ||
           std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }));

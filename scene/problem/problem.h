@@ -10,6 +10,7 @@
 #include "scene/function.h"
 #include "scene/material.h"
 #include "scene/mesh/mesh.h"
+#include "scene/problem/perturbation.h"
 
 /// The problem: data that both formulations carry exactly.
 namespace bracket::scene {
@@ -20,13 +21,6 @@ enum class Support {
   sliding,   ///< Γ_0: normal displacement prescribed, no shear
   contact    ///< Γ_K
 };
-
-/// As many copies of a value as a facet has vertices.
-template <int dim, class Value> std::array<Value, dim> at_vertices(const Value& value) {
-  std::array<Value, dim> result;
-  result.fill(value);
-  return result;
-}
 
 /// The data of one boundary facet, at its vertices, linear between.
 template <int dim> struct FacetData {
@@ -45,7 +39,7 @@ template <int dim> struct FacetData {
   std::array<Vector<dim>, dim> displacement = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
   std::array<double, dim> normal_displacement = at_vertices<dim>(0.0);  ///< along `normal`
 };
-/// Whether the facet belongs to Γ_τ and carries a load.
+/// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_K in a perturbed problem.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
 
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
@@ -127,6 +121,7 @@ template <int dim> struct Problem {
   std::vector<char> carries;  ///< of each contact pair, where there are corrections: whether the loads need
                               ///< its pressure
   Origin<dim> origin;
+  Perturbed<dim> perturbed;  ///< what the data are beside those of the scene; then `origin` has the first problem
 };
 
 /// What a cell is made of.
@@ -148,7 +143,8 @@ template <int dim> Piece<dim - 1> piece_of_facet(const Problem<dim>& problem, in
 /// Of each facet, the contact of which it is the first side: index into Problem::contact, −1: none.
 template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem);
 
-/// The loads of Γ_τ on a facet, all kinds added up, at its vertices, per unit of its parameter (traction · length).
+/// The loads on a facet of Γ_τ, and of Γ_K in a perturbed problem, all kinds added up, at its vertices, per unit of its
+/// parameter (traction · length).
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet);
 
 }  // namespace bracket::scene

@@ -48,13 +48,15 @@ Side read_side(const toml::node& node, const std::string& name, bool second) {
 }  // namespace
 
 ContactPair<2> read_contact(const toml::table& entry) {
-  check_keys(entry, "[[contact]]", {"first", "second", "gap"});
+  check_keys(entry, "[[contact]]", {"first", "second", "gap", "name", "zones"});
   ContactPair<2> pair;
   pair.where = where(entry);
   pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first", false);
   pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second", true);
   if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
     pair.gap = function(*gap, "contact.gap");
+  if (const toml::node* own = entry.get("name")) pair.name = label(*own, "contact.name");
+  if (const toml::node* zones = entry.get("zones")) pair.zones = integer(*zones, "contact.zones");
   return pair;
 }
 

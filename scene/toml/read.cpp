@@ -8,6 +8,7 @@
 #include "scene/toml/contact.h"
 #include "scene/toml/nodes.h"
 #include "scene/toml/override.h"
+#include "scene/toml/quantity.h"
 
 namespace bracket::scene {
 
@@ -150,7 +151,7 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
 // ---- [refine], [solve] ----------------------------------------------------------------------------------------------
 
 Refine read_refine(const toml::table& entry) {
-  check_keys(entry, "[refine]", {"strategy", "target", "bulk", "max_levels", "max_cells", "max_seconds"});
+  check_keys(entry, "[refine]", {"strategy", "target", "bulk", "max_levels", "max_cells", "max_seconds", "goal"});
   Refine refine;
   if (const toml::node* node = entry.get("strategy")) refine.strategy = choice<Strategy>(*node, "refine.strategy");
   if (const toml::node* node = entry.get("target")) refine.target = number(*node, "refine.target");
@@ -158,6 +159,7 @@ Refine read_refine(const toml::table& entry) {
   if (const toml::node* node = entry.get("max_levels")) refine.max_levels = integer(*node, "refine.max_levels");
   if (const toml::node* node = entry.get("max_cells")) refine.max_cells = integer(*node, "refine.max_cells");
   if (const toml::node* node = entry.get("max_seconds")) refine.max_seconds = number(*node, "refine.max_seconds");
+  if (const toml::node* node = entry.get("goal")) refine.goal = label(*node, "refine.goal");
   return refine;
 }
 
@@ -174,9 +176,9 @@ Solve read_solve(const toml::table& entry) {
 template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   static_assert(dim == 2);
   const toml::table root = parse(file, overrides);
-  check_keys(
-      root, "",
-      {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "refine", "solve"});
+  check_keys(root, "",
+             {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "quantity",
+              "refine", "solve"});
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
@@ -205,6 +207,9 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   if (const toml::node* contact = root.get("contact")) {
     for (const toml::node& pair : tables(*contact, "contact")) scene.contact.push_back(read_contact(*pair.as_table()));
   }
+  if (const toml::node* quantities = root.get("quantity"))
+    for (const toml::node& one : tables(*quantities, "quantity"))
+      scene.quantities.push_back(read_quantity(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
   if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"));
   if (const auto fault = fault_of(scene)) refuse(deepest(root, fault->key), fault->message);

@@ -158,7 +158,7 @@ Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& di
               const scene::Stress<2>& stress) {
   Judged result;
   result.field = admissible_field(problem, displacement, vertex_supports(problem)).field.value();
-  const auto [corrections, reason] = corrected<Exact, RationalSum>(problem);
+  const auto [corrections, reason] = corrected<Exact, RationalSum>(scene::first_of(problem));
   EXPECT_EQ(reason, "");
   result.loads = balanced<Exact, RationalSum>(problem, corrections, plain_loads(problem, stress)).loads.value();
   result.displacement = exact_displacement(problem, result.field);

@@ -90,7 +90,7 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
     result += third * area(corners_of(mesh, static_cast<int>(c))) * density;
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-    if (problem.facets[f].support != Support::traction) continue;
+    if (problem.facets[f].support != Support::traction && !scene::is_loaded(problem.facets[f])) continue;
     const int facet = static_cast<int>(f);
     result -= work(traction_on(problem, added, facet), displacement_on(mesh, u, facet));
   }

@@ -112,8 +112,10 @@ inline ExactVoigt pressure(const scene::Problem<2>& problem, const ExactStress& 
                            const scene::ContactFacet& pair) {
   const Point d = vector2<Exact>(problem.facets[pair.first].normal);
   const OnFacet load = load_on(problem.mesh, stress, pair.first);
+  const bool loaded = scene::is_loaded(problem.facets[pair.first]);  // of a perturbed problem
+  const OnFacet given = loaded ? traction_on(problem, {}, pair.first) : OnFacet{};
   ExactVoigt p;
-  for (int i = 0; i < 3; ++i) p[i] = -dot(load[i], d) / dot(d, d);
+  for (int i = 0; i < 3; ++i) p[i] = dot(given[i] - load[i], d) / dot(d, d);
   return p;
 }
 

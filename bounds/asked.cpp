@@ -1,0 +1,165 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/asked.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bounds/certificate/functional.h"
+#include "bounds/free_motions.h"
+#include "bounds/quantities/line.h"
+#include "scene/text.h"
+
+namespace bracket::bounds {
+
+namespace {
+
+using scene::QuantityKind;
+
+/// The forces of stretches of a contact, all of the same length.
+std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int contact) {
+  const auto& pair = scene.contact[contact];
+  std::vector<Asked<2>> result;
+  if (pair.zones == 0) return result;
+  const std::string name = pair.name.empty() ? pair.first.parts.front() : pair.name;
+  const auto lines = contact_lines(problem, contact);
+  if (lines.size() != 1 || lines[0].closed)
+    scene::fail(scene::Status::input, pair.where,
+                fmt::format("zones need a contact line with two ends, and '{}' {}", name,
+                            lines.size() != 1 ? "consists of several lines" : "is closed"));
+  for (int zone = 0; zone < pair.zones; ++zone) {
+    scene::Quantity<2> force;
+    force.name = fmt::format("zone {} of {}", zone + 1, name);
+    force.kind = QuantityKind::force;
+    force.of = name;
+    force.stretch = {lines[0].arc.back() * zone / pair.zones, lines[0].arc.back() * (zone + 1) / pair.zones};
+    force.where = pair.where;
+    result.push_back({std::move(force), contact, zone});
+  }
+  return result;
+}
+
+/// One of the motions alone that does it, for people to see. \param rows as for contact::balance()
+std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const Eigen::VectorXd& work, double rounding) {
+  for (Eigen::Index m = 0; m < work.size(); ++m) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(work.size());
+    y[m] = work[m] > 0 ? 1 : -1;
+    if (std::abs(work[m]) > rounding && (rows * y).maxCoeff() <= 1e-12) return y;
+  }
+  return {};
+}
+
+/// Motions y that the supports leave, that open contacts or leave them, G y ≤ 0, and are free of work, eᵀy = 0: the
+/// solution may be moved by them, and with it Q by Q(y). By Farkas' lemma there is none with Q(y) > 0 if and only if
+/// Gᵀp − τ e = q for some p ≥ 0, τ ≥ 0.
+Undetermined undetermined(const scene::Problem<2>& problem, const scene::Perturbation<2>& perturbation) {
+  const FreeMotions<2> all = all_free_motions(problem);
+  Undetermined result;
+  if (all.motion.empty()) return result;
+  scene::Problem<2> with = problem;
+  with.perturbed.by = std::make_shared<const scene::Perturbation<2>>(perturbation);
+  const LoadWork own = load_work(problem, all), added = load_work(perturbation_alone(with, with.carries), all);
+  if (added.size == 0) return result;
+  const Eigen::MatrixXd contact = approaches(problem, all);
+  Eigen::MatrixXd rows(contact.rows() + 1, contact.cols());
+  rows << contact, -own.work.transpose() / std::max(own.size, std::numeric_limits<double>::min());
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          (static_cast<double>(problem.mesh.boundary.size() + problem.mesh.cells.size()) + 64) *
+                          added.size;
+  for (const double sign : {-1.0, 1.0}) {
+    const contact::Balance balance = contact::balance(rows, sign * added.work, rounding);
+    if (balance.possible) continue;
+    (sign < 0 ? result.below : result.above) = true;
+    const auto [body, motion] = most_moved(all, simplest(rows, sign * added.work, rounding).value_or(balance.motion));
+    result.motion = fmt::format("nothing resists a motion of body '{}', {}, that changes it",
+                                problem.mesh.components[body], scene::describe(motion));
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem) {
+  std::vector<Asked<dim>> result;
+  for (const auto& quantity : scene.quantities) {
+    const bool of_contact = quantity.kind == QuantityKind::force || quantity.kind == QuantityKind::opening;
+    result.push_back({quantity, of_contact ? pair_named(scene, quantity.of, quantity.where) : -1, -1});
+  }
+  for (std::size_t i = 0; i < scene.contact.size(); ++i)
+    for (auto& zone : zones(scene, problem, static_cast<int>(i))) result.push_back(std::move(zone));
+  for (auto& one : result) {
+    if (one.quantity.kind == QuantityKind::energy && free_energy(problem) != FreeEnergy::none) continue;
+    const Functionals<dim> functional = functionals(scene, problem, one.quantity);
+    if (one.quantity.kind == QuantityKind::energy) continue;  // of no motion
+    const Undetermined below = undetermined(problem, *functional.below),
+                       above = undetermined(problem, *functional.above);
+    one.undetermined = {below.below, above.above, below.below ? below.motion : above.motion};
+    if (one.undetermined.below && one.undetermined.above)
+      scene::fail(scene::Status::ill_posed, one.quantity.where,
+                  fmt::format("quantity '{}' is not determined: {}", one.quantity.name, one.undetermined.motion));
+  }
+  return result;
+}
+
+template <int dim>
+Outcome<dim> with_quantity(Outcome<dim> outcome, const scene::Scene<dim>& scene, std::vector<Asked<dim>>& asked,
+                           std::size_t which, const Examined<dim>& examined, bool one_problem) {
+  Asked<dim>& one = asked[which];
+  Level& last = outcome.levels.back();
+  const SolvedLevel<dim> solved{
+      outcome.problem,        examined.solvers,       {examined.primal.closed, examined.dual.closed},
+      last.certificate.lower, last.certificate.upper, outcome.indicator};
+  auto found = evaluate(scene, one.quantity, solved, one.undetermined, one.learned);
+  one.learned = std::move(found.learned);
+  one.indicator = std::move(found.indicator);
+  last.seconds.quantities += found.level.seconds;
+  last.seconds.total += found.level.seconds;
+  outcome.quantities.resize(asked.size());
+  QuantityInterval& interval = outcome.quantities[which];
+  if (!one_problem || interval.levels.empty()) {
+    interval.lower = -std::numeric_limits<double>::infinity();
+    interval.upper = -interval.lower;
+  }
+  interval.name = one.quantity.name;
+  interval.kind = one.quantity.kind;
+  interval.contact = one.contact;
+  interval.zone = one.zone;
+  interval.weighted = found.weighted;
+  interval.lower = std::max(interval.lower, found.level.lower);
+  interval.upper = std::min(interval.upper, found.level.upper);
+  const double width = interval.upper - interval.lower;
+  const bool has_zero = interval.lower <= 0 && interval.upper >= 0;
+  interval.relative_width = !has_zero && std::isfinite(width)
+                                ? width / std::max(std::abs(interval.lower), std::abs(interval.upper))
+                                : std::numeric_limits<double>::quiet_NaN();
+  interval.reason = one.undetermined.motion.empty() ? found.level.reason : one.undetermined.motion;
+  interval.levels.push_back(std::move(found.level));
+  interval.target_reached = !is_wanting(one, interval);
+  return outcome;
+}
+
+template <int dim> bool is_wanting(const Asked<dim>& asked, const QuantityInterval& interval) {
+  const auto& [target, absolute] = std::pair(asked.quantity.target, asked.quantity.absolute);
+  const double width = interval.upper - interval.lower;
+  if (interval.levels.empty()) return target > 0 || absolute > 0;
+  if (width == 0) return false;
+  return (target > 0 && !(interval.relative_width <= target)) || (absolute > 0 && !(width <= absolute));
+}
+
+std::string contradiction(const std::vector<QuantityInterval>& quantities) {
+  for (const QuantityInterval& one : quantities)
+    if (one.lower > one.upper)
+      return fmt::format(
+          "the bounds of quantity '{}' exclude each other: a fault of this program; please report it with "
+          "the scene",
+          one.name);
+  return "";
+}
+
+template struct Asked<2>;
+template std::vector<Asked<2>> asked(const scene::Scene<2>&, const scene::Problem<2>&);
+template Outcome<2> with_quantity(Outcome<2>, const scene::Scene<2>&, std::vector<Asked<2>>&, std::size_t,
+                                  const Examined<2>&, bool);
+template bool is_wanting(const Asked<2>&, const QuantityInterval&);
+
+}  // namespace bracket::bounds

@@ -1,0 +1,83 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/certificate/corrections.h"
+#include "scene/problem/psi.h"
+
+/// The functional J of a perturbation, at fields that are admissible for a problem perturbed by it.
+namespace bracket::bounds {
+
+/// The first mesh with the loads of the perturbation alone, which corrections are to balance along motions on which
+/// neither supports act nor pairs that carry.
+/// \param carrying of each pair, in the perturbed problem
+scene::Problem<2> perturbation_alone(const scene::Problem<2>& problem, std::vector<char> carrying);
+
+/// Whether corrections are but rounding of the perturbation's loads; else it does work in a motion that nothing holds.
+bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<Enclosure>>& corrections);
+
+/// Q(v) = ∫ F_q·v + ∫ P_q·v.
+/// \param corrections of the perturbation's loads, as corrected() has them for perturbation_alone()
+template <class Number, class Sum>
+Number perturbing_work(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                       const PlainField& field, const std::vector<Corrected<Number>>& corrections) {
+  const auto& mesh = problem.mesh;
+  const auto& by = *problem.perturbed.by;
+  const MovedField<Number> all = moved<Number>(problem, supports, field);
+  Sum work;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if (const scene::Vector<2>& force = by.force[mesh.cell_body[c]]; !force.isZero(0))
+      work.add(cell_work(problem, field, all, vector2<Number>(force), static_cast<int>(c)));
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    FacetLoad<Number> load;
+    if (has_perturbing_load(problem, facet)) load = perturbing_load<Number>(problem, facet);
+    add_corrections(problem, corrections, facet, load);
+    work.add(facet_work<Number>(mesh, field, all, facet, load));
+  }
+  for (const auto& pair : problem.contact)
+    work.add(
+        integral_of_product(opening_load<Number>(problem, pair), approach_on<Number>(problem, supports, field, pair)));
+  return work.value();
+}
+
+/// R(λ) = ∫_Γu λn·U + ∫_Γ0 (λn)_n U_n − ∫_ΓK p ψ. \param loads balanced
+template <class Number, class Sum>
+Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
+  const auto& mesh = problem.mesh;
+  const auto& by = *problem.perturbed.by;
+  const auto fixed = fixed_vertices(scene::first_of(problem));
+  Sum sum;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    if (problem.facets[f].support == scene::Support::fixed) {
+      const SideLoad<Number> load = oriented(loads.edge[mesh.boundary[f].edge], forward(mesh.boundary[f]));
+      const auto [begin, end] = holds_of(problem, facet);
+      sum.add(linear_product<Number>(load, {added<Number>(begin), added<Number>(end)}));
+    } else if (problem.facets[f].support == scene::Support::sliding) {
+      const auto [begin, end] = slides_of(problem, fixed, facet);
+      const auto& [at0, at1] = loads.along_normal[f];
+      sum.add(linear_product(at0, at1, added<Number>(begin), added<Number>(end)));
+    }
+  }
+  for (const auto& pair : problem.contact) {
+    const scene::Piece<1> piece = scene::piece_of_facet(problem, pair.first);
+    const auto psi = scene::psi<Number>(by.contact[by.contact_of[piece.of]], problem.facets[pair.first].normal, piece);
+    sum.add(-integral_of_product<Number>(loads.along_normal[pair.first], psi));
+  }
+  return sum.value();
+}
+
+/// κ = ∫ p (g − r(v)), g the upper gap.
+template <class Number, class Sum>
+Number contact_work(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                    const PlainField& field, const EdgeLoads<Number>& loads) {
+  Sum sum;
+  for (const auto& pair : problem.contact) {
+    std::array<Number, 3> left = approach_on<Number>(problem, supports, field, pair);
+    for (int i = 0; i < 3; ++i) left[i] = Number(pair.upper[i]) - left[i];
+    sum.add(integral_of_product<Number>(loads.along_normal[pair.first], left));
+  }
+  return sum.value();
+}
+
+}  // namespace bracket::bounds

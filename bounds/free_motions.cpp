@@ -1,0 +1,97 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/free_motions.h"
+
+#include <algorithm>
+
+#include "scene/problem/stretch.h"
+
+namespace bracket::bounds {
+
+using scene::Vector;
+
+template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& problem) {
+  FreeMotions<dim> all;
+  for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
+    for (const auto& motion : scene::free_motions(problem, static_cast<int>(b))) {
+      all.motion.push_back(motion);
+      all.body.push_back(static_cast<int>(b));
+    }
+  return all;
+}
+
+template <int dim>
+Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset) {
+  const auto& mesh = problem.mesh;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const Vector<dim> d = problem.facets[pair.first].normal;
+    const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
+    for (std::size_t m = 0; m < all.motion.size(); ++m) {
+      for (const int side : {pair.first, pair.second}) {
+        if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
+        const auto ends = scene::positions(mesh, mesh.boundary[side].vertices);
+        for (int i = 0; i < dim; ++i) {  // the second side runs the other way
+          const double at = (side == pair.first) == (i == 0) ? t : 1 - t;
+          rows(dim * j + i, m) +=
+              (side == pair.first ? 1 : -1) * d.dot(displacement(all.motion[m], scene::between_ends(ends, at)));
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
+  const auto& mesh = problem.mesh;
+  LoadWork result{Eigen::VectorXd::Zero(all.motion.size()), 0};
+  const auto add = [&](int body, const Vector<dim>& force, const Vector<dim>& x) {
+    for (std::size_t m = 0; m < all.motion.size(); ++m) {
+      if (all.body[m] != body) continue;
+      const double work = force.dot(displacement(all.motion[m], x));
+      result.work[m] += work;
+      result.size += std::abs(work);
+    }
+  };
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int body = mesh.cell_component[c];
+    const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
+    if (force.isZero(0)) continue;
+    const auto& v = mesh.cells[c];
+    add(body, scene::volume(mesh, static_cast<int>(c)) * force,
+        (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (!scene::is_loaded(problem.facets[f])) continue;
+    const auto& facet = mesh.boundary[f];
+    const auto ends = scene::load(problem, static_cast<int>(f));
+    for (int i = 0; i < dim; ++i)  // a linear load on a linear motion
+      add(mesh.cell_component[facet.cell], scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
+  }
+  return result;
+}
+
+// Each free motion moves points of its body by about 1, so that y says how far: what moves them by less than 1e-8 of
+// the most is rounding of the loads, and would be told as a turn about a point far away.
+template <int dim> Moved<dim> most_moved(const FreeMotions<dim>& all, const Eigen::VectorXd& y) {
+  constexpr double negligible = 1e-8;
+  Eigen::Index most = 0;
+  y.cwiseAbs().maxCoeff(&most);
+  const int body = all.body[most];
+  scene::RigidMotion<dim> motion{Vector<dim>::Zero(), {}, all.motion[most].centre};
+  const double unit = std::abs(y[most]);
+  for (std::size_t m = 0; m < all.motion.size(); ++m) {
+    if (all.body[m] != body || std::abs(y[m]) < negligible * unit) continue;
+    motion.translation += y[m] / unit * all.motion[m].translation;
+    for (std::size_t r = 0; r < motion.rotation.size(); ++r)
+      motion.rotation[r] += y[m] / unit * all.motion[m].rotation[r];
+  }
+  return {body, motion};
+}
+
+template FreeMotions<2> all_free_motions(const scene::Problem<2>&);
+template Eigen::MatrixXd approaches(const scene::Problem<2>&, const FreeMotions<2>&, double);
+template LoadWork load_work(const scene::Problem<2>&, const FreeMotions<2>&);
+template Moved<2> most_moved(const FreeMotions<2>&, const Eigen::VectorXd&);
+
+}  // namespace bracket::bounds

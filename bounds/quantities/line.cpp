@@ -1,0 +1,117 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/quantities/line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "scene/fault.h"
+#include "scene/text.h"
+
+namespace bracket::bounds {
+
+using scene::Support;
+
+std::vector<ContactLine> contact_lines(const scene::Problem<2>& problem, int pair) {
+  const auto& mesh = problem.mesh;
+  std::map<int, int> from;  // of each vertex: the contact whose first facet ends there, to its left
+  std::map<int, int> into;  // … begins there
+  std::vector<int> left;
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    if (problem.contact[j].pair != pair) continue;
+    const auto& [begin, end] = mesh.boundary[problem.contact[j].first].vertices;
+    into[begin] = static_cast<int>(j);
+    from[end] = static_cast<int>(j);
+    left.push_back(static_cast<int>(j));
+  }
+  std::vector<ContactLine> lines;
+  std::vector<char> taken(problem.contact.size(), 0);
+  const auto ends = [&](int j) { return mesh.boundary[problem.contact[j].first].vertices; };
+  const auto follow = [&](int j, bool closed) {
+    ContactLine line{{}, {0}, closed};
+    while (!taken[j]) {
+      taken[j] = 1;
+      line.contact.push_back(j);
+      line.arc.push_back(line.arc.back() + scene::length(mesh, problem.contact[j].first));
+      const auto next = from.find(ends(j)[0]);
+      if (next == from.end()) break;
+      j = next->second;
+    }
+    return line;
+  };
+  for (const int j : left)
+    if (!into.contains(ends(j)[1])) lines.push_back(follow(j, false));
+  for (const int j : left)
+    if (!taken[j]) lines.push_back(follow(j, true));
+  return lines;
+}
+
+StretchWeights stretch_weights(const scene::Problem<2>& problem, const ContactLine& line,
+                               const scene::LineStretch& stretch, const std::string& where) {
+  const double length = line.arc.back();
+  const double rounding = 1e-12 * length;  // of sums of lengths: an end as close to a vertex is that vertex
+  if (!(stretch.from < stretch.to) || stretch.from < -rounding || stretch.to > length + rounding)
+    scene::fail(scene::Status::input, where,
+                fmt::format("the stretch from {} to {} is not on its contact line, which goes from 0 to {:.6g}",
+                            stretch.from, stretch.to, length));
+  const std::size_t n = line.contact.size();
+  std::vector<char> inside(n), touched(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    inside[i] = line.arc[i] >= stretch.from - rounding && line.arc[i + 1] <= stretch.to + rounding;
+    touched[i] = line.arc[i + 1] > stretch.from + rounding && line.arc[i] < stretch.to - rounding;
+  }
+  StretchWeights weights{LinearWeight(problem.contact.size(), {0, 0}), LinearWeight(problem.contact.size(), {0, 0})};
+  bool nothing = true;
+  for (std::size_t k = 0; k <= n; ++k) {  // the vertex at arc[k], between edges k − 1 and k
+    const bool before = k == 0 || inside[k - 1], after = k == n || inside[k];
+    const bool below = before && after, above = (k > 0 && touched[k - 1]) || (k < n && touched[k]);
+    nothing = nothing && !below;
+    if (k > 0) {
+      weights.below[line.contact[k - 1]][0] = below;
+      weights.above[line.contact[k - 1]][0] = above;
+    }
+    if (k < n) {
+      weights.below[line.contact[k]][1] = below;
+      weights.above[line.contact[k]][1] = above;
+    }
+  }
+  if (nothing)
+    scene::fail(scene::Status::input, where,
+                fmt::format("the stretch from {} to {} is too short for the edges of the first mesh: a weight that "
+                            "falls to zero within an edge at each end leaves nothing of it; take a finer first mesh",
+                            stretch.from, stretch.to));
+  return weights;
+}
+
+std::vector<std::array<bool, 2>> held_ends(const scene::Problem<2>& problem) {
+  const auto& mesh = problem.mesh;
+  std::vector<std::vector<int>> facets(mesh.vertices.size());
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    for (const int v : mesh.boundary[f].vertices) facets[v].push_back(static_cast<int>(f));
+  const auto held = [&](int vertex, const scene::Vector<2>& d) {
+    const scene::Vector<2>* other = nullptr;
+    for (const int f : facets[vertex]) {
+      const auto& [support, normal] = std::tie(problem.facets[f].support, problem.facets[f].normal);
+      if (support == Support::fixed) return true;
+      if (support != Support::sliding) continue;
+      const bool corner = other != nullptr && normal != *other && normal != -*other;
+      if (normal == d || normal == -d || corner) return true;
+      other = &normal;
+    }
+    return false;
+  };
+  std::vector<std::array<bool, 2>> result;
+  for (const auto& pair : problem.contact) {
+    const scene::Vector<2>& d = problem.facets[pair.first].normal;
+    std::array<bool, 2> both;
+    for (int i = 0; i < 2; ++i)
+      both[i] = held(mesh.boundary[pair.first].vertices[i], d) &&
+                (pair.second < 0 || held(mesh.boundary[pair.second].vertices[1 - i], d));
+    result.push_back(both);
+  }
+  return result;
+}
+
+}  // namespace bracket::bounds

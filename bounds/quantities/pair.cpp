@@ -1,0 +1,148 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/quantities/pair.h"
+
+#include <future>
+#include <limits>
+
+namespace bracket::bounds {
+
+namespace {
+
+using contact::Termination;
+
+/// ½ (a ± b)
+template <int dim>
+scene::Displacement<dim> combined(const scene::Displacement<dim>& a, const scene::Displacement<dim>& b, double sign) {
+  scene::Displacement<dim> result = a;
+  for (std::size_t i = 0; i < a.vertex.size(); ++i) result.vertex[i] = 0.5 * (a.vertex[i] + sign * b.vertex[i]);
+  for (std::size_t i = 0; i < a.edge.size(); ++i) result.edge[i] = 0.5 * (a.edge[i] + sign * b.edge[i]);
+  return result;
+}
+template <int dim> scene::Stress<dim> combined(const scene::Stress<dim>& a, const scene::Stress<dim>& b, double sign) {
+  scene::Stress<dim> result = a;
+  for (std::size_t c = 0; c < a.cell.size(); ++c)
+    for (std::size_t i = 0; i < a.cell[c].size(); ++i) result.cell[c][i] = 0.5 * (a.cell[c][i] + sign * b.cell[c][i]);
+  return result;
+}
+
+template <int dim> double largest(const scene::Displacement<dim>& u) {
+  double most = 0;
+  for (const auto& x : u.vertex) most = std::max(most, x.norm());
+  return most;
+}
+template <int dim> double largest(const scene::Stress<dim>& stress) {
+  double most = 0;
+  for (const auto& cell : stress.cell)
+    for (const auto& s : cell) most = std::max(most, s.norm());
+  return most;
+}
+/// 0: there is nothing to compare with.
+double ratio(double a, double b) { return b > 0 ? a / b : 0; }
+
+template <int dim> PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, PerturbedPair<dim> pair) {
+  const auto& [v1, v2] = pair.displacement;
+  const auto& [l1, l2] = pair.stress;
+  const scene::Displacement<dim> mean = combined(v1, v2, 1), half = combined(v1, v2, -1);
+  const scene::Stress<dim> mean_stress = combined(l1, l2, 1), half_stress = combined(l1, l2, -1);
+  const Indicator means = indicator(problem, mean, mean_stress);
+  const Indicator differences = indicator(problem, half, half_stress);
+  pair.strength = std::max(ratio(largest(half), largest(mean)), ratio(largest(half_stress), largest(mean_stress)));
+  // Enclosures of energies are about as wide as some units in the last place of a double.
+  pair.rounding = 8 * std::numeric_limits<double>::epsilon() * potential_energy(problem, half).strain;
+  for (std::size_t c = 0; c < means.cell.size(); ++c) {
+    pair.of_means += means.cell[c];
+    pair.of_differences += differences.cell[c];
+  }
+  for (const double share : means.contact) pair.of_means += 2 * share;
+  pair.of_difference = differences.cell;
+  pair.width = (pair.of_means + pair.of_differences) / pair.s;
+  return pair;
+}
+
+}  // namespace
+
+template <int dim>
+Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
+                        const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
+                        const std::array<Closed, 2>& closed) {
+  const std::array<scene::Problem<dim>, 2> problems = {scene::perturbed(problem, by, s, -s),
+                                                       scene::perturbed(problem, by, -s, s)};
+  std::array<dual::Result<dim>, 2> stresses;
+  auto other = std::async(std::launch::async, [&] {
+    for (int i = 0; i < 2; ++i) stresses[i] = solvers.stresses->solve(problems[i], closed[i].dual);
+  });
+  Attempt<dim> attempt;
+  std::array<primal::Result<dim>, 2> displacements;
+  for (int i = 0; i < 2; ++i) try {
+      displacements[i] = solvers.displacements->solve(problems[i], closed[i].primal);
+    } catch (const scene::Error& error) {  // prescribed displacements that close the gap
+      displacements[i].termination = Termination::contradiction;
+      displacements[i].reason = error.what();
+    }
+  other.get();
+  for (int i = 0; i < 2; ++i) {
+    const auto of_loads = [](Termination why) { return why == Termination::no_equilibrium; };
+    const auto of_gaps = [](Termination why) {
+      return why != Termination::solved && why != Termination::no_equilibrium;
+    };
+    attempt.why.loads[i] = of_loads(displacements[i].termination) || of_loads(stresses[i].termination);
+    attempt.why.kinematics[i] = of_gaps(displacements[i].termination) || of_gaps(stresses[i].termination);
+    for (const std::string& reason : {displacements[i].reason, stresses[i].reason})
+      if (attempt.why.reason.empty()) attempt.why.reason = reason;
+  }
+  if (!attempt.why.reason.empty()) return attempt;
+  PerturbedPair<dim> pair{.s = s};
+  for (int i = 0; i < 2; ++i) {
+    pair.displacement[i] = std::move(displacements[i].displacement);
+    pair.stress[i] = std::move(stresses[i].stress);
+    pair.closed[i] = {std::move(displacements[i].closed), std::move(stresses[i].closed)};
+  }
+  attempt.pair = with_width(problem, std::move(pair));
+  return attempt;
+}
+
+template <int dim>
+FunctionalBound upper_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
+                            const PerturbedPair<dim>& pair) {
+  FunctionalBound bound = certify_functional(scene::perturbed(problem, std::move(by), pair.s, pair.s),
+                                             pair.displacement[1], pair.stress[0]);
+  bound.above /= pair.s;
+  return bound;
+}
+
+template <int dim>
+FunctionalBound lower_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
+                            const PerturbedPair<dim>& pair) {
+  FunctionalBound bound = certify_functional(scene::perturbed(problem, std::move(by), -pair.s, -pair.s),
+                                             pair.displacement[0], pair.stress[1]);
+  bound.above /= pair.s;
+  return bound;
+}
+
+template <int dim>
+FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
+                                const std::shared_ptr<const scene::Perturbation<dim>>& by, double f) try {
+  const auto stresses = solvers.stresses->solve(scene::perturbed(problem, by, f, -f));
+  const auto displacements = solvers.displacements->solve(scene::perturbed(problem, by, 0, f));
+  for (const std::string& reason : {displacements.reason, stresses.reason})
+    if (!reason.empty()) return {.reason = reason};
+  FunctionalBound bound =
+      certify_functional(scene::perturbed(problem, by, f, f), displacements.displacement, stresses.stress);
+  bound.above /= std::abs(f);
+  return bound;
+} catch (const scene::Error& error) {
+  return {.reason = error.what()};
+}
+
+template struct PerturbedPair<2>;
+template Attempt<2> solve_pair(const scene::Problem<2>&, const Solvers<2>&,
+                               const std::shared_ptr<const scene::Perturbation<2>>&, double,
+                               const std::array<Closed, 2>&);
+template FunctionalBound upper_bound(const scene::Problem<2>&, std::shared_ptr<const scene::Perturbation<2>>,
+                                     const PerturbedPair<2>&);
+template FunctionalBound one_sided_bound(const scene::Problem<2>&, const Solvers<2>&,
+                                         const std::shared_ptr<const scene::Perturbation<2>>&, double);
+template FunctionalBound lower_bound(const scene::Problem<2>&, std::shared_ptr<const scene::Perturbation<2>>,
+                                     const PerturbedPair<2>&);
+
+}  // namespace bracket::bounds

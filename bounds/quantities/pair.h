@@ -1,0 +1,74 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "bounds/certificate/certificate.h"
+#include "bounds/estimate/estimate.h"
+#include "dual/dual.h"
+#include "primal/primal.h"
+
+/// The two perturbed problems that bound a functional, by both formulations (docs/theory.md §8).
+namespace bracket::bounds {
+
+/// What has factorised a level, and what its contact is expected to be.
+template <int dim> struct Solvers {
+  std::shared_ptr<const primal::Solver<dim>> displacements;
+  std::shared_ptr<const dual::Solver<dim>> stresses;
+};
+struct Closed {
+  std::vector<char> primal, dual;
+};
+
+/// The problems with loads + s, kinematics − s (first) and the other way round (second), solved.
+template <int dim> struct PerturbedPair {
+  double s = 0;
+  std::array<scene::Displacement<dim>, 2> displacement = {};
+  std::array<scene::Stress<dim>, 2> stress = {};
+  std::array<Closed, 2> closed = {};
+  /// The width of the interval for J, a sum of squares over cells and contact facets: (1/s) (A + B) with
+  /// A = ½‖σ(v̄) − λ̄‖² + 2 ∫ p̄ (g − r(v̄)) of the means, B the same of the half differences, without contact.
+  double width = 0;
+  std::vector<double> of_difference = {};   ///< the cells' shares of B
+  double of_means = 0, of_differences = 0;  ///< A, B
+  double rounding = 0;                      ///< of the energies of the two, as far as it comes from s
+  /// The largest displacement or stress of the half differences by that of the means: how large s is.
+  double strength = 0;
+};
+
+/// Why there is none: which of the four has no solution.
+struct Unsolvable {
+  std::array<bool, 2> loads = {false, false};       ///< no pressure balances them, at + s and − s
+  std::array<bool, 2> kinematics = {false, false};  ///< no displacement is admissible, at − s and + s
+  std::string reason;
+};
+
+template <int dim> struct Attempt {
+  std::optional<PerturbedPair<dim>> pair;
+  Unsolvable why;  ///< if there is none
+};
+
+/// \param s > 0   \param closed contact facets expected to be closed in the two problems
+template <int dim>
+Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
+                        const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
+                        const std::array<Closed, 2>& closed);
+
+/// The bounds of J that a pair gives.
+template <int dim>
+FunctionalBound upper_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
+                            const PerturbedPair<dim>& pair);
+/// Of −J.
+template <int dim>
+FunctionalBound lower_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
+                            const PerturbedPair<dim>& pair);
+
+/// One bound alone, for functionals that have no other: of f J / |f| from above, with stresses of the problem with
+/// loads f and displacements of that with kinematics f, the loads of the other left out. \return not valid, with a
+/// reason, where one of the problems has no solution
+template <int dim>
+FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
+                                const std::shared_ptr<const scene::Perturbation<dim>>& by, double f);
+
+}  // namespace bracket::bounds

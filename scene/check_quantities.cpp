@@ -1,0 +1,69 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "scene/fault.h"
+#include "scene/range.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+std::string fault_in(const Quantity<2>& quantity) {
+  using enum QuantityKind;
+  const bool directed = quantity.kind == displacement || quantity.kind == body || quantity.kind == reaction;
+  if (quantity.kind != energy && quantity.of.empty()) return "it does not say of what";
+  if (quantity.direction && !directed) return "only displacements and reactions have a direction";
+  if (quantity.kind == body && !quantity.direction) return "a body has no normal; give a direction";
+  if (quantity.direction && quantity.direction->isZero(0)) return "its direction must not be zero";
+  const bool of_contact = quantity.kind == force || quantity.kind == opening;
+  if ((quantity.stretch || quantity.weight) && !of_contact)
+    return "only forces and openings of contacts have a stretch or a weight";
+  if (quantity.stretch && quantity.weight) return "either a stretch or a weight";
+  if (!(quantity.target >= 0)) return fmt::format("its target must not be negative, is {}", quantity.target);
+  if (!(quantity.absolute >= 0))
+    return fmt::format("its absolute target must not be negative, is {}", quantity.absolute);
+  std::vector<double> numbers = {quantity.target, quantity.absolute};
+  if (quantity.direction) numbers.insert(numbers.end(), {(*quantity.direction)[0], (*quantity.direction)[1]});
+  if (quantity.stretch) numbers.insert(numbers.end(), {quantity.stretch->from, quantity.stretch->to});
+  for (const double number : numbers)
+    if (const std::string message = size_message(number, "a number"); !message.empty()) return message;
+  return "";
+}
+
+}  // namespace
+
+std::optional<Fault> quantity_fault(const Scene<2>& scene) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
+    const Quantity<2>& quantity = scene.quantities[i];
+    const std::vector<std::string> key = {"quantity", std::to_string(i)};
+    if (quantity.name.empty()) return Fault{key, "a quantity has no name", quantity.where};
+    if (std::find(names.begin(), names.end(), quantity.name) != names.end())
+      return Fault{key, fmt::format("two quantities are called '{}'; give them names of their own", quantity.name),
+                   quantity.where};
+    names.push_back(quantity.name);
+    if (const std::string message = fault_in(quantity); !message.empty())
+      return Fault{key, fmt::format("quantity '{}': {}", quantity.name, message), quantity.where};
+  }
+  std::set<std::string> contacts;
+  for (std::size_t i = 0; i < scene.contact.size(); ++i) {
+    const ContactPair<2>& pair = scene.contact[i];
+    const std::vector<std::string> key = {"contact", std::to_string(i)};
+    if (!pair.name.empty() && !contacts.insert(pair.name).second)
+      return Fault{key, fmt::format("two contacts are called '{}'", pair.name), pair.where};
+    if (pair.zones < 0)
+      return Fault{key, fmt::format("contact.zones must not be negative, is {}", pair.zones), pair.where};
+  }
+  if (!scene.refine.goal.empty() && std::find(names.begin(), names.end(), scene.refine.goal) == names.end())
+    return Fault{{"refine", "goal"},
+                 fmt::format("refine.goal: there is no quantity '{}'; {}", scene.refine.goal,
+                             suggestion(scene.refine.goal, names)),
+                 scene.file};
+  return {};
+}
+
+}  // namespace bracket::scene

@@ -1,0 +1,158 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/quantities/functional.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "dual/dual.h"
+#include "primal/primal.h"
+#include "tests/bounds/certificate/judge_parts.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::bounds {
+namespace {
+
+using scene::Quantity;
+using scene::QuantityKind;
+using scene::Vector;
+
+/// All kinds of data, so short that their sums with perturbations by powers of two are doubles.
+scene::Scene<2> short_numbers() {
+  using namespace tests;
+  scene::Scene<2> s = two_bodies(0, 2, 1, 1, 4, 1);
+  s.bodies = {{"lower", scene::isotropic<2>(1, 0.25, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(4, 0.125, scene::Plane::strain)}};
+  s.bodies.at("lower").force = {1.0 / 64, -1.0 / 32};
+  s.boundary = {{"lower.bottom", fixed(1.0 / 64, 0)},
+                {"lower.left", sliding(-1.0 / 64)},
+                {"upper.right", sliding(1.0 / 32)},
+                {"upper.top", traction(scene::enclosed<2>([](const auto& x) { return x[0] / 16; }), constant(-0.125))}};
+  s.contact[0].gap = scene::enclosed<2>([](const auto& x) { return x[0] * x[0] / 128; });
+  return s;
+}
+
+Quantity<2> quantity(QuantityKind kind, const std::string& of) {
+  Quantity<2> result;
+  result.name = of;
+  result.kind = kind;
+  result.of = of;
+  return result;
+}
+
+std::vector<Quantity<2>> quantities() {
+  std::vector<Quantity<2>> all = {quantity(QuantityKind::displacement, "upper.top"),
+                                  quantity(QuantityKind::displacement, "upper.left"),
+                                  quantity(QuantityKind::body, "upper"),
+                                  quantity(QuantityKind::rotation, "upper.top"),
+                                  quantity(QuantityKind::force, "upper.bottom"),
+                                  quantity(QuantityKind::opening, "upper.bottom"),
+                                  quantity(QuantityKind::reaction, "lower.bottom"),
+                                  quantity(QuantityKind::reaction, "upper.right"),
+                                  quantity(QuantityKind::stress, "lower"),
+                                  quantity(QuantityKind::stress, "upper"),
+                                  quantity(QuantityKind::energy, "")};
+  all[0].direction = Vector<2>(1, -2);
+  all[2].direction = Vector<2>(0, 1);
+  all[6].direction = Vector<2>(0, 1);
+  all[8].component = scene::StressComponent::xy;
+  all[9].component = scene::StressComponent::yy;
+  Quantity<2> weighted = all[4];
+  weighted.weight = scene::enclosed<2>([](const auto& x) { return x[0] * x[0] - x[0]; });
+  all.push_back(weighted);
+  for (const int kind : {4, 5}) {
+    all.push_back(all[kind]);
+    all.back().stretch = scene::LineStretch{0.25, 1.75};
+  }
+  return all;
+}
+
+/// A problem with a perturbation of it, and fields for its sum with f times that.
+struct Posed {
+  scene::Problem<2> problem;
+  std::shared_ptr<const scene::Perturbation<2>> by;
+  double f;
+  scene::Problem<2> perturbed() const { return scene::perturbed(problem, by, f, f); }
+};
+
+/// L(v) + S(λ) − ¼ ‖σ(v) − λ‖² with the data without the perturbation: what bounds f J, by docs/theory.md §8, as the
+/// theorem has it; the certificate evaluates another form of it.
+Exact bound_by_definition(const Posed& posed, const Judged& exact, const ExactDisplacement& unperturbed) {
+  const scene::Problem<2> perturbed = posed.perturbed();
+  scene::Problem<2> own_gaps = perturbed;
+  own_gaps.contact = posed.problem.contact;
+  const Exact l = potential_energy(posed.problem, exact.displacement, exact.stress.added);
+  const Exact s = complementary_energy(own_gaps, exact.stress, unperturbed);
+  Exact contact;
+  for (const auto& pair : perturbed.contact) {
+    const ExactVoigt p = pressure(perturbed, exact.stress, pair);
+    const ExactVoigt left = sum(gap(pair), approach(perturbed, exact.displacement, pair), Exact(-1));
+    contact += (p[0] * left[0] + p[1] * left[1] + Exact(4) * p[2] * left[2]) / Exact(6);
+  }
+  return l + s - half * (distance(perturbed, exact.stress, exact.displacement) - contact);
+}
+
+/// \param on_finer also on a mesh that refinement made, where data are cut
+template <class Check> void for_all_quantities(bool on_finer, const Check& check) {
+  const scene::Scene<2> scene = short_numbers();
+  const scene::Problem<2> first = balanced(tests::problem(scene), 2);
+  std::vector<char> marked(first.mesh.cells.size(), 0);
+  marked[0] = marked[4] = marked.back() = 1;
+  const scene::Problem<2> problem = on_finer ? scene::refine(first, marked).problem : first;
+  int checked = 0;
+  const auto plain = primal::solve(problem, 2);
+  ASSERT_EQ(plain.termination, contact::Termination::solved);
+  const auto supports = vertex_supports(problem);
+  const auto own = exact_displacement(problem, *admissible_field(problem, plain.displacement, supports).field);
+  for (const Quantity<2>& asked : quantities()) {
+    SCOPED_TRACE(name(asked.kind) + " of " + asked.of);
+    const Functionals<2> functionals = bounds::functionals(scene, problem, asked);
+    for (const auto& by : {functionals.below, functionals.above})
+      for (const double f : {1.0 / 64, -1.0 / 64}) {
+        const Posed posed{problem, by, f};
+        const auto u = primal::solve(scene::perturbed(problem, by, -f, f), 2);
+        const auto lambda = dual::solve(scene::perturbed(problem, by, f, -f));
+        ASSERT_EQ(u.termination, contact::Termination::solved) << u.reason;
+        ASSERT_EQ(lambda.termination, contact::Termination::solved) << lambda.reason;
+        check(posed, u.displacement, lambda.stress, own);
+        ++checked;
+      }
+  }
+  EXPECT_EQ(checked, 14 * 4);
+}
+
+void expect_bound(const Posed& posed, const scene::Displacement<2>& u, const scene::Stress<2>& lambda,
+                  const ExactDisplacement& own, double slack) {
+  const scene::Problem<2> perturbed = posed.perturbed();
+  const FunctionalBound bound = certify_functional(perturbed, u, lambda);
+  ASSERT_TRUE(bound.valid) << bound.reason;
+  const Judged exact = judged(perturbed, u, lambda);
+  EXPECT_EQ(faults(perturbed, exact.displacement), std::vector<std::string>{});
+  EXPECT_EQ(faults(perturbed, exact.stress), std::vector<std::string>{});
+  const Exact meant = bound_by_definition(posed, exact, own);
+  EXPECT_GE(Exact(bound.above), meant);
+  EXPECT_LE(rounded(Exact(bound.above) - meant), slack);
+}
+
+// The bound of f J is what Theorem 1 says of the fields that the certificate has moved, in rational numbers.
+TEST(Functional, is_what_the_theorem_says_exactly) {
+  for_all_quantities(true, [](const Posed& posed, const scene::Displacement<2>& u, const scene::Stress<2>& lambda,
+                              const ExactDisplacement& own) { expect_bound(posed, u, lambda, own, 1e-14); });
+}
+
+// Whatever the fields are: they are moved, and what they then say is a bound.
+TEST(Functional, holds_for_sabotaged_fields) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0, 1e-3);
+  for_all_quantities(
+      [&](const Posed& posed, scene::Displacement<2> u, scene::Stress<2> lambda, const ExactDisplacement& own) {
+        for (auto& value : u.vertex) value += Vector<2>(noise(generator), noise(generator));
+        for (auto& value : u.edge) value += Vector<2>(noise(generator), noise(generator));
+        for (auto& cell : lambda.cell)
+          for (auto& s : cell) s += scene::Voigt<2>(noise(generator), noise(generator), noise(generator));
+        expect_bound(posed, u, lambda, own, 1e-13);
+      });
+}
+
+}  // namespace
+}  // namespace bracket::bounds
