@@ -39,7 +39,7 @@ Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& sce
     solve_stresses(meshed, scene, keep, run_clock, solved);
     solved.level.seconds.dual = clock.seconds();
   });
-  auto solver = std::make_shared<const primal::Solver<dim>>(meshed.problem, scene.solve.degree);
+  auto solver = std::make_shared<const primal::Solver<dim>>(meshed.problem, scene.solve.degree, keep);
   solved.primal = solver->solve(meshed.problem, meshed.primal_closed);
   if (keep) solved.solvers.displacements = std::move(solver);
   solved.level.seconds.primal = clock.seconds();

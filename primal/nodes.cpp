@@ -144,7 +144,7 @@ template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree
   return nodes;
 }
 
-template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes) {
+template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap) {
   const auto& mesh = problem.mesh;
   const Approach<dim> approach{nodes, problem};
   std::vector<Row> rows;
@@ -170,7 +170,8 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
     const auto& [ga, middle, gb] = pair.lower;
     // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself; that of a linear gap
     // is their mean but for rounding.
-    if (nodes.degree == 1 && middle >= (ga + gb) / 2 - rounding * std::max(std::abs(ga), std::abs(gb))) continue;
+    const bool met = middle >= (ga + gb) / 2 - rounding * std::max(std::abs(ga), std::abs(gb));
+    if (nodes.degree == 1 && met && !any_gap) continue;
     const Vector<dim>& d = problem.facets[pair.first].normal;
     Row row{{}, middle, std::abs(middle), static_cast<int>(j)};
     for (const int side : {pair.first, pair.second}) {
@@ -197,6 +198,6 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
 template struct Node<2>;
 template struct Nodes<2>;
 template Nodes<2> make_nodes(const Problem<2>&, int);
-template std::vector<Row> contact_rows(const Problem<2>&, const Nodes<2>&);
+template std::vector<Row> contact_rows(const Problem<2>&, const Nodes<2>&, bool);
 
 }  // namespace bracket::primal

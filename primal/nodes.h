@@ -40,7 +40,10 @@ struct Row {
 
 /// Rows that make r ≤ g on all of Γ_K: the Bernstein coefficients of r on each facet are bounded by those of g, at the
 /// ends once for each distinct normal that meets there. Rows without unknowns are checked and dropped.
+/// \param any_gap the rows that some gap needs, whatever that of the problem is: linear displacements meet the middle
+///     coefficients of most gaps by themselves
 /// \throw scene::Error (ill_posed) if such a row is violated
-template <int dim> std::vector<Row> contact_rows(const scene::Problem<dim>& problem, const Nodes<dim>& nodes);
+template <int dim>
+std::vector<Row> contact_rows(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap = false);
 
 }  // namespace bracket::primal

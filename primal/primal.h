@@ -28,8 +28,10 @@ template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int
 template <int dim> class Solver {
  public:
   /// \param degree of the displacements
+  /// \param any_gap whether problems are to follow whose gaps are not linear where those of this one are, or the other
+  ///     way round
   /// \throw scene::Error (input) if it is neither 1 nor 2; as check_prescribed()
-  Solver(const scene::Problem<dim>& problem, int degree);
+  Solver(const scene::Problem<dim>& problem, int degree, bool any_gap = false);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
   ///     displacements are its own

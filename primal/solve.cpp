@@ -43,27 +43,29 @@ template <int dim> void check_prescribed(const Problem<dim>& problem, int degree
 
 template <int dim> struct Solver<dim>::Factorised {
   Nodes<dim> nodes;
+  bool any_gap;
   std::vector<Row> rows;
   std::vector<Eigen::SparseMatrix<double>> held;  ///< as Systems::held
   contact::Bodies bodies;
   double assemble;  ///< seconds
 };
 
-template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree) {
+template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, bool any_gap) {
   const Clock clock;
   Nodes<dim> nodes = make_nodes(problem, degree);
-  std::vector<Row> rows = contact_rows(problem, nodes);
+  std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
   Systems<dim> systems = assemble(problem, nodes, rows);
   const double assembled = clock.seconds();
-  factorised_ = std::make_shared<const Factorised>(Factorised{
-      std::move(nodes), std::move(rows), std::move(systems.held), contact::Bodies(std::move(systems.body)), assembled});
+  factorised_ =
+      std::make_shared<const Factorised>(Factorised{std::move(nodes), any_gap, std::move(rows), std::move(systems.held),
+                                                    contact::Bodies(std::move(systems.body)), assembled});
 }
 
 template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
   const Clock clock;
-  const auto& [laid_out, of_rows, held, bodies, assembled] = *factorised_;
+  const auto& [laid_out, any_gap, of_rows, held, bodies, assembled] = *factorised_;
   const Nodes<dim> nodes = make_nodes(problem, laid_out.degree);
-  const std::vector<Row> rows = contact_rows(problem, nodes);
+  const std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
   if (nodes.body_nodes != laid_out.body_nodes ||
       !std::equal(rows.begin(), rows.end(), of_rows.begin(), of_rows.end(),
                   [](const Row& a, const Row& b) { return a.entries == b.entries; }))
