@@ -53,12 +53,12 @@ std::array<std::vector<int>, 2> faces(const FrdElement& element, const Type& typ
 Eigen::Vector3d place(const RawField& field, int node) { return Eigen::Vector3d(field.nodes[node].x.data()); }
 
 /// That a solid is a plane element made thick: each node lies on its partner and is moved as it is, or apart from it.
-/// \param size the largest coordinate
-void check_pair(const RawField& field, const std::vector<double>& out_of_plane, int lower, int upper, double size) {
+/// \param size the largest coordinate   \param tolerance of values
+void check_pair(const RawField& field, const std::vector<double>& out_of_plane, int lower, int upper, double size,
+                double tolerance) {
   const Eigen::Vector3d across = place(field, upper) - place(field, lower);
   if (across.head<2>().norm() > 3 * field.coordinate_rounding * size)
     refuse(field, lower, "belongs to a solid element; expected results of plane elements (CPE3, CPS6, …)");
-  const double tolerance = value_tolerance(field);
   if ((field.values[upper] - field.values[lower]).norm() > tolerance ||
       std::abs(out_of_plane[lower] + out_of_plane[upper]) > tolerance)
     refuse(field, lower,
@@ -93,6 +93,7 @@ RawField plane_field(RawField field, std::vector<double> out_of_plane, const std
   double size = 0;
   for (const RawMesh::Node& node : field.nodes)
     for (const double x : node.x) size = std::max(size, std::abs(x));
+  const double tolerance = value_tolerance(field);
   std::vector<int> of_solids;
   for (const FrdElement& element : elements) {
     const std::optional<Type> type = type_of(element.type);
@@ -103,7 +104,7 @@ RawField plane_field(RawField field, std::vector<double> out_of_plane, const std
       continue;
     }
     const auto [lower, upper] = faces(element, *type);
-    for (std::size_t i = 0; i < lower.size(); ++i) check_pair(field, out_of_plane, lower[i], upper[i], size);
+    for (std::size_t i = 0; i < lower.size(); ++i) check_pair(field, out_of_plane, lower[i], upper[i], size, tolerance);
     of_solids.insert(of_solids.end(), lower.begin(), lower.end());
     field.cells.push_back({type->corners, lower});
   }

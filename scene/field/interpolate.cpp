@@ -116,19 +116,24 @@ Value value_on(const RawField& field, const Cell& cell, const Vector<2>& referen
   return {u, (slope * jacobian.inverse()).norm() * tolerance};
 }
 
+/// Of places and of values.
+struct Tolerances {
+  double place, value;
+};
+
 /// Of the cells that the point is in, to the tolerance, the one that it is least outside of; they must agree.
 Vector<2> value_at(const RawField& field, const Mesh<2>& mesh, const Part& part, int component, const Vector<2>& x,
-                   double tolerance) {
+                   const Tolerances& tolerance) {
   std::optional<Value> best;
   double least = 0;
-  for (const int number : part.boxes->near(x, tolerance)) {
+  for (const int number : part.boxes->near(x, tolerance.place)) {
     const Cell& cell = part.cells[number];
     const auto reference = reference_point(cell.corners, cell.x, x);
     if (!reference) continue;
     const double distance = outside(cell, *reference, x);
-    if (distance > tolerance) continue;
-    const Value value = value_on(field, cell, *reference, tolerance);
-    if (best && (best->u - value.u).norm() > best->change + value.change + 2 * value_tolerance(field))
+    if (distance > tolerance.place) continue;
+    const Value value = value_on(field, cell, *reference, tolerance.place);
+    if (best && (best->u - value.u).norm() > best->change + value.change + 2 * tolerance.value)
       fail(Status::input, field.file,
            fmt::format("the displacement jumps at {} in '{}'; expected a continuous one in each body", point(x),
                        mesh.components[component]));
@@ -140,14 +145,14 @@ Vector<2> value_at(const RawField& field, const Mesh<2>& mesh, const Part& part,
   fail(Status::input, field.file,
        fmt::format("no cell of '{}' holds the node of the mesh at {}, to {:.1e}; expected the same bodies, each with "
                    "cells of its own",
-                   mesh.components[component], point(x), tolerance));
+                   mesh.components[component], point(x), tolerance.place));
 }
 
 }  // namespace
 
 GivenDisplacement interpolated(const RawField& field, const Mesh<2>& mesh) {
-  const double tolerance = place_tolerance(field, mesh);
-  const std::vector<Part> parts = parts_of(field, mesh, tolerance);
+  const Tolerances tolerance = {place_tolerance(field, mesh), value_tolerance(field)};
+  const std::vector<Part> parts = parts_of(field, mesh, tolerance.place);
   std::vector<int> of_vertex(mesh.vertices.size(), -1), of_edge(mesh.edges.size(), -1);  // components
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     for (const int vertex : mesh.cells[cell]) of_vertex[vertex] = mesh.cell_component[cell];

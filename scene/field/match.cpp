@@ -171,32 +171,36 @@ std::optional<std::vector<int>> cells_of(const RawField& field, const Mesh<2>& m
   return result;
 }
 
-/// Collects the file's nodes for those of the mesh.
+/// The file's nodes for those of the mesh, collected cell by cell.
 struct Assigned {
   std::vector<int> vertex, edge;  ///< nodes of the file, −1: none yet
+  double place_tolerance, value_tolerance;
 };
 
-void assign(const RawField& field, const Mesh<2>& mesh, int cell, int node, int& to) {
+/// \param to where the node is put; it may be there already, or another with the same displacement
+void assign(const RawField& field, const std::string& body, int node, double tolerance, int& to) {
   if (to == -1) to = node;
-  if ((field.values[to] - field.values[node]).cwiseAbs().maxCoeff() <= value_tolerance(field)) return;
+  if ((field.values[to] - field.values[node]).cwiseAbs().maxCoeff() <= tolerance) return;
   refuse(field, node,
          fmt::format("has another displacement than the {} {} at the same place of '{}'; expected a continuous one in "
                      "each body",
-                     field.word, field.nodes[to].tag, mesh.bodies[mesh.cell_body[cell]]));
+                     field.word, field.nodes[to].tag, body));
 }
 
 /// \return false: a node in the middle of a side is not at the midpoint
 bool assign(const RawField& field, const Mesh<2>& mesh, const Places& places, const RawField::Cell& from, int cell,
-            double tolerance, Assigned& assigned) {
+            Assigned& assigned) {
+  const std::string& body = mesh.bodies[mesh.cell_body[cell]];
   std::array<int, 3> local{};  // of each corner in the mesh's cell
   for (int k = 0; k < 3; ++k) {
     while (places.of_vertex[mesh.cells[cell][local[k]]] != places.of_node[from.nodes[k]]) ++local[k];
-    assign(field, mesh, cell, from.nodes[k], assigned.vertex[mesh.cells[cell][local[k]]]);
+    assign(field, body, from.nodes[k], assigned.value_tolerance, assigned.vertex[mesh.cells[cell][local[k]]]);
   }
   for (std::size_t k = 0; k + 3 < from.nodes.size(); ++k) {
     const int edge = mesh.cell_edges[cell][Simplex<2>::edge_between(local[k], local[(k + 1) % 3])];
-    if ((at(field, from.nodes[3 + k]) - midpoint(mesh, edge)).norm() > tolerance) return false;
-    assign(field, mesh, cell, from.nodes[3 + k], assigned.edge[edge]);
+    const int node = from.nodes[3 + k];
+    if ((at(field, node) - midpoint(mesh, edge)).norm() > assigned.place_tolerance) return false;
+    assign(field, body, node, assigned.value_tolerance, assigned.edge[edge]);
   }
   return true;
 }
@@ -212,9 +216,10 @@ std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const M
   if (there.size() < mesh.cells.size())
     fail(Status::input, field.file,
          fmt::format("has {} of the {} cells of the mesh; {}", there.size(), mesh.cells.size(), way_out));
-  Assigned assigned{std::vector<int>(mesh.vertices.size(), -1), std::vector<int>(mesh.edges.size(), -1)};
+  Assigned assigned{std::vector<int>(mesh.vertices.size(), -1), std::vector<int>(mesh.edges.size(), -1), tolerance,
+                    value_tolerance(field)};
   for (std::size_t i = 0; i < cells->size(); ++i)
-    if (!assign(field, mesh, places, field.cells[i], (*cells)[i], tolerance, assigned)) return {};
+    if (!assign(field, mesh, places, field.cells[i], (*cells)[i], assigned)) return {};
   GivenDisplacement result;
   result.displacement.degree = field.cells[0].nodes.size() == 3 ? 1 : 2;
   for (std::size_t vertex = 0; vertex < assigned.vertex.size(); ++vertex) {

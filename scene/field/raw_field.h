@@ -37,8 +37,8 @@ RawField read_frd_field(const std::filesystem::path& file);
 /// Throws Error (input) with the place of a node.
 [[noreturn]] void refuse(const RawField& field, int node, const std::string& message);
 
-/// How far a node of the file may be from the mesh's: both are rounded, and midpoints are computed of rounded ones and
-/// rounded again.
+/// How far a node of the file may be from the mesh's: both are rounded; midpoints are computed of rounded ones and
+/// rounded again, or places of all nodes by basis functions.
 double place_tolerance(const RawField& field, const Mesh<2>& mesh);
 /// By how much two values may differ that are meant to be one: each is the sum of at most nine terms, rounded once more
 /// where it is written.

@@ -39,8 +39,10 @@ void refuse(const RawField& field, int node, const std::string& message) {
 }
 
 double place_tolerance(const RawField& field, const Mesh<2>& mesh) {
-  // Corners are off by one rounding in each coordinate, midpoints by two: the length is below √2 · 2 < 3 of them.
-  return 3 * (field.coordinate_rounding + mesh.coordinate_rounding) * largest(mesh.vertices);
+  // Corners are off by one rounding in each coordinate, midpoints by two: the length is below √2 · 2 < 3 of them. Who
+  // computes the place of a node by basis functions sums up to nine terms, each rounded twice, in doubles.
+  constexpr double sums = 2 * (9 + 1) * std::numeric_limits<double>::epsilon() / 2;
+  return (3 * (field.coordinate_rounding + mesh.coordinate_rounding) + sums) * largest(mesh.vertices);
 }
 
 double value_tolerance(const RawField& field) { return 2 * (9 + 1) * field.value_rounding * largest(field.values); }

@@ -185,6 +185,21 @@ TEST(VtuField, ThatJumpsWithinABodyIsRefused) {
   expect_refused(folder.write("a.vtu", two), build_mesh(scene), {"jumps at", "'b'"});
 }
 
+// DOLFINx computes the places of its nodes, which are then off by some last places.
+TEST(VtuField, OfDolfinxIsMatched) {
+  Scene<2> scene;
+  scene.blocks = {bracket::tests::block("b", 0, 1, 0, 1, 3, 3)};
+  scene.bodies = {{"b", isotropic<2>(1, 0.3, Plane::strain)}};
+  for (const int degree : {1, 2}) {
+    const Mesh<2> mesh = build_mesh(scene);
+    const GivenDisplacement given = read_field(given_file(fmt::format("dolfinx_{}.vtu", degree)), mesh);
+    EXPECT_FALSE(given.interpolated);
+    EXPECT_EQ(given.displacement.degree, degree);
+    EXPECT_LE(given.off, 1e-15);
+    EXPECT_LE(error_in(mesh, given.displacement, linear_motion), 1e-15);
+  }
+}
+
 TEST(VtuField, OfFreeFemIsMatchedOnTheMeshThatItComputedOn) {
   Problem<2> problem = bracket::tests::problem(bracket::tests::two_blocks(4));
   for (int i = 0; i < 2; ++i) problem = refine(problem, std::vector<char>(problem.mesh.cells.size(), 1)).problem;
