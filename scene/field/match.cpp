@@ -22,16 +22,12 @@ Vector<2> midpoint(const Mesh<2>& mesh, int edge) {
   return 0.5 * (mesh.vertices[mesh.edges[edge][0]] + mesh.vertices[mesh.edges[edge][1]]);
 }
 
-/// How far nodes may be off. \throw Error (input) where that leaves neighbours indistinguishable
-double tolerance_of(const RawField& field, const Mesh<2>& mesh) {
-  const double tolerance = place_tolerance(field, mesh);
-  for (const auto& [a, b] : mesh.edges)
-    if ((mesh.vertices[b] - mesh.vertices[a]).norm() <= 4 * tolerance)  // nodes are half an edge apart
-      fail(Status::input, field.file,
-           fmt::format("has coordinates of too few digits to tell the nodes of the mesh apart near {}: they may be off "
-                       "by {:.1e}",
-                       point(mesh.vertices[a]), tolerance));
-  return tolerance;
+/// An edge whose nodes, which are half its length apart, the tolerance leaves indistinguishable; −1: there is none.
+int indistinct(const Mesh<2>& mesh, double tolerance) {
+  const auto edge = std::ranges::find_if(mesh.edges, [&](const std::array<int, 2>& ends) {
+    return (mesh.vertices[ends[1]] - mesh.vertices[ends[0]]).norm() <= 4 * tolerance;
+  });
+  return edge == mesh.edges.end() ? -1 : static_cast<int>(edge - mesh.edges.begin());
 }
 
 /// The points, each as a thing of its own.
@@ -102,8 +98,15 @@ std::vector<int> nodes_at(const RawField& field, const Mesh<2>& mesh, const Node
 }  // namespace
 
 GivenDisplacement matched_by_place(const RawField& field, const Mesh<2>& mesh) {
+  const double tolerance = place_tolerance(field, mesh);
+  if (const int edge = indistinct(mesh, tolerance); edge != -1)
+    fail(
+        Status::input, field.file,
+        fmt::format("has coordinates of too few digits to tell the nodes of the mesh apart near {}: they may be off by "
+                    "{:.1e}",
+                    point(midpoint(mesh, edge)), tolerance));
   const Nodes nodes = nodes_of(mesh);
-  const std::vector<int> given = nodes_at(field, mesh, nodes, tolerance_of(field, mesh));
+  const std::vector<int> given = nodes_at(field, mesh, nodes, tolerance);
   const auto middles = given.begin() + static_cast<std::ptrdiff_t>(mesh.vertices.size());
   const bool linear = std::all_of(middles, given.end(), [](int i) { return i == -1; });
   const std::size_t count = linear ? mesh.vertices.size() : given.size();
@@ -208,7 +211,8 @@ bool assign(const RawField& field, const Mesh<2>& mesh, const Places& places, co
 }  // namespace
 
 std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const Mesh<2>& mesh) {
-  const double tolerance = tolerance_of(field, mesh);
+  const double tolerance = place_tolerance(field, mesh);
+  if (indistinct(mesh, tolerance) != -1) return {};
   const Places places = places_of(field, mesh, tolerance);
   const auto cells = cells_of(field, mesh, places);
   if (!cells) return {};

@@ -53,7 +53,8 @@ void check_values(const RawField& field, const std::vector<double>& out_of_plane
 GivenDisplacement matched_by_place(const RawField& field, const Mesh<2>& mesh);
 
 /// By cells, if each of the file's is one of the mesh.
-/// \return nothing: it is another mesh   \throw Error (input): cells of the mesh that the file does not have, two
+/// \return nothing: it is another mesh, or one whose nodes the digits do not tell apart   \throw Error (input): cells
+/// of the mesh that the file does not have, two
 ///         displacements at one node
 std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const Mesh<2>& mesh);
 

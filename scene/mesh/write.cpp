@@ -82,7 +82,7 @@ void check_abaqus_names(const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string& name = names[i];
     constexpr const char* program = "Abaqus and CalculiX";
-    if (holds(name, "\"")) refuse_name(name, program, "it has a quote");
+    if (holds(name, "\"\n\r")) refuse_name(name, program, "it has a quote or does not fit on one line");
     if (name.empty() || name.front() == ' ' || name.back() == ' ')
       refuse_name(name, program, "it begins or ends with a blank");
     if (name.size() > 80) refuse_name(name, program, "it has more than 80 characters");
