@@ -33,6 +33,30 @@ std::string one_line(std::string text) {
   return text;
 }
 
+void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
+  command->add_option("--set", overrides, "Override a key of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// The command mesh, which fills the options.
+CLI::App* add_mesh(CLI::App& app, bracket::apps::MeshOptions& options) {
+  CLI::App* command = app.add_subcommand("mesh", "Write a scene's mesh, for another program");
+  command->add_option("SCENE", options.scene, "The scene file (TOML)")->required();
+  command->add_option("-o", options.file, "The mesh file: .msh (Gmsh), .inp (Abaqus, CalculiX) or .vtu (ParaView)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--refine", options.refine, "Uniform refinements (default: 0)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 30));
+  command->add_option("--degree", options.degree, "Linear or quadratic triangles (default: the scene's solve.degree)")
+      ->type_name("1|2")
+      ->check(CLI::Range(1, 2));
+  add_overrides(command, options.overrides);
+  command->add_flag("--force", options.force, "Write over a file that is there");
+  return command;
+}
+
 Ending perform(int argc, char** argv) {
   CLI::App app("Energies of elastic bodies in frictionless contact between two guaranteed bounds.", "bracket");
   app.footer(statuses);
@@ -42,9 +66,7 @@ Ending perform(int argc, char** argv) {
   bracket::apps::RunOptions options;
   const auto add_scene = [&options](CLI::App* command) {
     command->add_option("SCENE", options.scene, "The scene file (TOML)")->required();
-    command->add_option("--set", options.overrides, "Override a key of the scene; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    add_overrides(command, options.overrides);
   };
   const auto add_folder = [&options](CLI::App* command, const std::string& otherwise) {
     command->add_option("-o", options.folder, fmt::format("Folder for the results (default: {})", otherwise))
@@ -76,6 +98,9 @@ Ending perform(int argc, char** argv) {
   bool as_json = false;
   check->add_flag("--json", as_json, "Print it as JSON alone");
 
+  bracket::apps::MeshOptions to_write;
+  CLI::App* write = add_mesh(app, to_write);
+
   std::filesystem::path mesh;
   CLI::App* info = app.add_subcommand("info", "Bodies, boundary parts and quality of a mesh file");
   info->add_option("MESH", mesh, "The mesh file (Gmsh, Abaqus, …)")->required();
@@ -93,9 +118,11 @@ Ending perform(int argc, char** argv) {
   if (extremes->parsed()) return bracket::apps::extremes(options.scene, options.overrides, options.folder);
   if (paper->parsed()) bracket::apps::paper(options.folder);
   if (check->parsed()) bracket::apps::check(options.scene, options.overrides, as_json);
+  if (write->parsed()) bracket::apps::mesh(to_write);
   if (info->parsed()) bracket::apps::info(mesh, as_json);
   if (app.get_subcommands().empty())
-    throw Error(Status::input, "expected a command: run, study, extremes, paper, check or info (see bracket --help)");
+    throw Error(Status::input,
+                "expected a command: run, study, extremes, paper, check, mesh or info (see bracket --help)");
   return {};
 }
 

@@ -65,6 +65,20 @@ void paper(const std::filesystem::path& folder);
 /// \throw scene::Error as run()
 void check(const std::filesystem::path& scene, const std::vector<std::string>& overrides, bool as_json);
 
+struct MeshOptions {
+  std::filesystem::path scene;
+  std::filesystem::path file;  ///< to be written: .msh, .inp or .vtu
+  std::vector<std::string> overrides;
+  int refine = 0;      ///< uniform refinements, ≥ 0
+  int degree = 0;      ///< of the triangles, 1 or 2; 0: the scene's
+  bool force = false;  ///< write over a file that is there
+};
+
+/// Writes the mesh that a run of the scene computes on, uniformly refined, for another program.
+/// \throw scene::Error as fix_data() and refine(); input also where the file is there or cannot be written, or the mesh
+///        would have more than refine.max_cells
+void mesh(const MeshOptions& options);
+
 /// Prints bodies, boundary parts and quality of a mesh file.
 /// \throw scene::Error (input, mesh)
 void info(const std::filesystem::path& mesh, bool as_json);

@@ -132,6 +132,31 @@ void write_file(const fs::path& folder, const std::string& name, std::string_vie
   if (error) refuse(folder / name, fmt::format("cannot be written: {}", error.message()));
 }
 
+void write_new_file(const fs::path& file, std::string_view content, bool replace) {
+  std::error_code error;
+  const bool there = fs::exists(fs::symlink_status(file, error));
+  if (there && !replace) refuse(file, "is there already; --force writes over it");
+  if (there && !fs::is_regular_file(fs::symlink_status(file, error)))
+    refuse(file, "is no file that could be written over; take another name");
+  const fs::path part = file.string() + unfinished;
+  Descriptor descriptor = open(part, O_WRONLY | O_CREAT | O_EXCL);
+  try {
+    write(part, descriptor, content);
+    // Linked rather than renamed where nothing may be written over: what was put there meanwhile stays.
+    if (replace)
+      fs::rename(part, file);
+    else
+      fs::create_hard_link(part, file);
+  } catch (const fs::filesystem_error& failure) {
+    fs::remove(part, error);
+    refuse(file, fmt::format("cannot be written: {}", failure.code().message()));
+  } catch (const scene::Error&) {
+    fs::remove(part, error);
+    throw;
+  }
+  fs::remove(part, error);
+}
+
 void write_picture(const fs::path& folder, const Picture& picture) {
   const Drawings drawings = draw({picture}, false);
   for (const Drawing& drawing : drawings.drawn) write_file(folder, drawing.name + ".svg", drawing.svg);

@@ -40,6 +40,11 @@ class Descriptor {
 /// \throw scene::Error (input) if it cannot be written
 void write_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
 
+/// Writes a file that is no result of a run, as a whole or not at all. Symbolic links are not followed.
+/// \param replace whether it may be there; a file that is must not be touched otherwise
+/// \throw scene::Error (input) if it is there and must not, or cannot be written
+void write_new_file(const std::filesystem::path& file, std::string_view content, bool replace);
+
 /// Draws a picture and writes it as SVG; where that cannot be, a note on standard error says why.
 /// \throw as write_file()
 void write_picture(const std::filesystem::path& folder, const Picture& picture);

@@ -1,32 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // docs/meshes.md: what it says to type works, and prints what it says.
-#include <fstream>
-#include <sstream>
-
 #include "tests/apps/command.h"
+#include "tests/apps/page.h"
 
 namespace bracket::apps::tests {
 namespace {
-
-/// A block between ```: its language and its text.
-struct Block {
-  std::string language, text;
-};
-
-std::vector<Block> blocks() {
-  std::ifstream stream(BRACKET_DOCS "/meshes.md");
-  std::vector<Block> result;
-  bool inside = false;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.starts_with("```")) {
-      inside = !inside;
-      if (inside) result.push_back({line.substr(3), ""});
-    } else if (inside) {
-      result.back().text += line + "\n";
-    }
-  }
-  return result;
-}
 
 class MeshesPage : public Command {
  protected:
@@ -34,7 +12,7 @@ class MeshesPage : public Command {
 };
 
 TEST_F(MeshesPage, ItsCommandsRunAndPrintWhatItSays) {
-  const std::vector<Block> all = blocks();
+  const std::vector<Block> all = blocks(BRACKET_DOCS "/meshes.md");
   std::vector<std::pair<double, double>> energies;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].language != "sh") continue;

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <random>
 
+#include "scene/field/field.h"
 #include "scene/mesh/readers.h"
 #include "tests/fuzz/seeds.h"
 #include "tests/support/folder.h"
+#include "tests/support/scenes.h"
 
 namespace {
 
@@ -16,10 +18,34 @@ using bracket::scene::RawMesh;
 using Random = std::mt19937_64;
 
 struct Reader {
-  const char* name;
-  RawMesh (*read)(const std::filesystem::path&);
+  const char* name;               ///< also the ending of its files
+  bracket::scene::Status status;  ///< of what it refuses
+  /// Reads a file. \return what is wrong with what it has read; empty: nothing
+  std::string (*read)(const std::filesystem::path&, std::uint64_t seed);
   std::vector<std::string> seeds, words;
 };
+
+template <RawMesh (*reader)(const std::filesystem::path&)>
+std::string read_mesh(const std::filesystem::path& file, std::uint64_t seed) {
+  bracket::scene::Scene<2> scene;
+  scene.merge = seed % 2 == 0 ? 0 : 1e-6;
+  const auto mesh = mesh_of(reader(file), scene, "mesh");
+  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
+    if (!(volume(mesh, cell) > 0)) return "a cell without area";
+  return "";
+}
+
+/// A displacement of two blocks of two triangles each.
+std::string read_displacement(const std::filesystem::path& file, std::uint64_t) {
+  static const bracket::scene::Mesh<2> mesh = build_mesh(bracket::tests::two_blocks(1));
+  const auto [degree, vertex, edge] = read_field(file, mesh).displacement;
+  if (vertex.size() != mesh.vertices.size() || edge.size() != (degree == 2 ? mesh.edges.size() : 0))
+    return "nodes without values";
+  for (const auto* values : {&vertex, &edge})
+    for (const auto& u : *values)
+      if (!u.allFinite()) return "a value that is not finite";
+  return "";
+}
 
 std::size_t below(Random& random, std::size_t end) { return random() % std::max<std::size_t>(end, 1); }
 
@@ -75,25 +101,21 @@ struct Count {
   double slowest = 0;
 };
 
-/// Whatever a text is, it is read or refused with one line and the status of a mesh.
+/// Whatever a text is, it is read or refused with one line and the reader's status.
 Count judge(const Reader& reader, std::uint64_t first, std::uint64_t last) {
   const bracket::tests::Folder folder;
   Count count;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
-    const std::filesystem::path file = folder.write("mesh", text_of(reader, seed));
+    const std::filesystem::path file = folder.write(std::string("file.") + reader.name, text_of(reader, seed));
     const auto start = std::chrono::steady_clock::now();
-    bracket::scene::Scene<2> scene;
-    scene.merge = seed % 2 == 0 ? 0 : 1e-6;
     std::string fault;
     try {
-      const auto mesh = mesh_of(reader.read(file), scene, "mesh");
-      for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
-        if (!(volume(mesh, cell) > 0)) fault = "a cell without area";
+      fault = reader.read(file, seed);
       ++count.read;
     } catch (const bracket::scene::Error& error) {
       ++count.refused;
       if (seed < reader.seeds.size()) fault = error.what();
-      if (error.status() != bracket::scene::Status::mesh) fault = error.what();
+      if (error.status() != reader.status) fault = error.what();
       if (std::string(error.what()).find('\n') != std::string::npos) fault = "a message of several lines";
     } catch (const std::exception& error) {
       fault = error.what();
@@ -109,8 +131,8 @@ Count judge(const Reader& reader, std::uint64_t first, std::uint64_t last) {
 
 }  // namespace
 
-/// bracket_fuzz_meshes FIRST LAST: gives the readers of mesh files the texts of these numbers, from 0 on, and prints
-/// those that are neither read nor properly refused. Exit status 1 if there were any.
+/// bracket_fuzz_meshes FIRST LAST: gives the readers of mesh files and of displacements the texts of these numbers,
+/// from 0 on, and prints those that are neither read nor properly refused. Exit status 1 if there were any.
 int main(int argc, char** argv) {
   if (argc != 3) {
     fmt::print(stderr, "usage: bracket_fuzz_meshes FIRST LAST\n");
@@ -118,9 +140,13 @@ int main(int argc, char** argv) {
   }
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), last = std::strtoull(argv[2], nullptr, 10);
   namespace seeds = bracket::tests::seeds;
-  const std::vector<Reader> readers = {{"gmsh", bracket::scene::read_gmsh, seeds::gmsh(), seeds::gmsh_words()},
-                                       {"abaqus", bracket::scene::read_abaqus, seeds::abaqus(), seeds::abaqus_words()},
-                                       {"unv", bracket::scene::read_unv, seeds::unv(), seeds::unv_words()}};
+  using namespace bracket::scene;
+  const std::vector<Reader> readers = {
+      {"msh", Status::mesh, read_mesh<read_gmsh>, seeds::gmsh(), seeds::gmsh_words()},
+      {"inp", Status::mesh, read_mesh<read_abaqus>, seeds::abaqus(), seeds::abaqus_words()},
+      {"unv", Status::mesh, read_mesh<read_unv>, seeds::unv(), seeds::unv_words()},
+      {"csv", Status::input, read_displacement, seeds::csv(), seeds::csv_words()},
+      {"frd", Status::input, read_displacement, seeds::frd(), seeds::frd_words()}};
   std::uint64_t faults = 0;
   for (const Reader& reader : readers) {
     const Count count = judge(reader, first, last);

@@ -13,5 +13,10 @@ std::vector<std::string> abaqus();
 std::vector<std::string> abaqus_words();
 std::vector<std::string> unv();
 std::vector<std::string> unv_words();
+/// Displacements of two blocks of two triangles each.
+std::vector<std::string> csv();
+std::vector<std::string> csv_words();
+std::vector<std::string> frd();
+std::vector<std::string> frd_words();
 
 }  // namespace bracket::tests::seeds

@@ -1,0 +1,64 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+#include "apps/commands/commands.h"
+#include "apps/commands/folder.h"
+#include "apps/commands/say.h"
+#include "scene/mesh/write.h"
+
+namespace bracket::apps {
+namespace {
+
+/// The problem on the mesh that a run with uniform refinement computes on after so many steps.
+scene::Problem<2> refined(const scene::Scene<2>& scene, int times) {
+  scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
+  for (int i = 0; i < times; ++i) {
+    const std::size_t cells = problem.mesh.cells.size(), limit = scene.refine.max_cells;
+    if (4 * cells > limit)
+      throw scene::Error(scene::Status::input,
+                         fmt::format("--refine {}: after {} the mesh has {} cells, after {} four times as many, more "
+                                     "than refine.max_cells = {}; --set refine.max_cells={} allows them",
+                                     times, i, cells, i + 1, limit, 4 * cells));
+    const std::vector<char> all(cells, 1);
+    std::vector<std::string> notes = std::move(problem.mesh.notes);
+    problem = scene.curves.empty() ? scene::refine(problem, all).problem
+                                   : scene::fix_data(scene, scene::finer_mesh(scene, problem, all));
+    problem.mesh.notes = std::move(notes);
+  }
+  return problem;
+}
+
+/// Of what kind the file is to be, by the ending of its name.
+std::string ending_of(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending != ".msh" && ending != ".inp" && ending != ".vtu")
+    throw scene::Error(scene::Status::input,
+                       fmt::format("{}: expected a name that ends with .msh (Gmsh), .inp (Abaqus, CalculiX) or .vtu "
+                                   "(ParaView)",
+                                   file.string()));
+  return ending;
+}
+
+}  // namespace
+
+void mesh(const MeshOptions& options) {
+  const std::string ending = ending_of(options.file);
+  const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
+  const scene::Mesh<2> mesh = refined(scene, options.refine).mesh;
+  const int degree = options.degree == 0 ? scene.solve.degree : options.degree;
+  write_new_file(options.file,
+                 ending == ".msh"   ? scene::gmsh_text(mesh, degree)
+                 : ending == ".inp" ? scene::abaqus_text(mesh, degree, scene.plane)
+                                    : scene::vtu_text(mesh, degree),
+                 options.force);
+  for (const std::string& note : mesh.notes) say_note(note);
+  const std::size_t nodes = mesh.vertices.size() + (degree == 2 ? mesh.edges.size() : 0);
+  std::cout << fmt::format("{}: {} {} triangles, {} nodes; bodies {}; boundary parts {}\n", options.file.string(),
+                           mesh.cells.size(), degree == 2 ? "quadratic" : "linear", nodes, fmt::join(mesh.bodies, ", "),
+                           fmt::join(mesh.parts, ", "));
+}
+
+}  // namespace bracket::apps

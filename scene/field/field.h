@@ -1,0 +1,32 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/fields.h"
+#include "scene/mesh/mesh.h"
+
+/// Displacements that another program computed. Planar: what is read has no third component.
+namespace bracket::scene {
+
+struct GivenDisplacement {
+  /// Of degree 2 if the file has the middles of the edges or is interpolated, else of degree 1.
+  Displacement<2> displacement;
+  /// Whether it was computed on another mesh, and is here its values at the vertices and midpoints of this one.
+  bool interpolated = false;
+  double off = 0;  ///< the largest distance, a length, between a node of the mesh and the file's; 0 where interpolated
+  std::vector<std::string> notes;  ///< what was chosen or left out on reading, one line each
+};
+
+/// Reads the nodal displacements of a file: CSV, VTK's .vtu or CalculiX's .frd (docs/other-programs.md). Its nodes are
+/// taken for those of the mesh by their place, to the digits that they are written with, and where bodies touch by the
+/// cells that have them; a .vtu or .frd of another mesh of the same bodies is interpolated.
+/// \param mesh that of the problem the displacement is for
+/// \throw Error (input), one line with the file and, where there is one, the line in it: not readable, truncated, no
+///        displacement, values that are not finite or not plane, nodes that the mesh has not or of the mesh that are
+///        missing, another domain, two displacements at one node
+GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh);
+
+}  // namespace bracket::scene
