@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <future>
+#include <numeric>
 
 #include "bounds/asked.h"
 #include "bounds/particular.h"
@@ -168,8 +169,10 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
   level.dual = examined.dual.statistics;
   level.plain = plain_energies(problem, displacement, stress, examined.indicator);
   const Certificate& sure = level.certificate;
-  level.bracket = sure.valid ? bracket(sure.lower, sure.upper, sure.strain_energy, examined.indicator)
-                             : bracket(level.plain.lower, level.plain.upper, level.plain.strain, examined.indicator);
+  level.bracket =
+      sure.valid ? bracket(sure.lower, sure.upper, sure.strain_energy, sure.contact)
+                 : bracket(level.plain.lower, level.plain.upper, level.plain.strain,
+                           std::accumulate(examined.indicator.contact.begin(), examined.indicator.contact.end(), 0.0));
   level.checks = admissibility(problem, displacement, stress);
   level.checks.gap_identity = level.plain.gap_identity;
   // The data were fixed on the first mesh, and so was what that did to the energy.

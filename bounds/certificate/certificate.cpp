@@ -111,6 +111,8 @@ Certificate certify(const scene::Problem<dim>& problem, const scene::Displacemen
   certificate.lower = lower(-sides.below.energy) + 0.0;  // not −0
   certificate.upper = upper(sides.above.energy.total) + 0.0;
   certificate.strain_energy = std::max(0.0, lower(sides.above.energy.strain));
+  certificate.contact = std::max(0.0, upper(contact_work<Enclosure, LongSum>(problem, sides.above.supports,
+                                                                             sides.above.field, sides.below.loads)));
   certificate.valid = std::isfinite(certificate.lower) && std::isfinite(certificate.upper);
   if (!certificate.valid)
     certificate.reason = "the energies could not be enclosed: numbers too large or too small, or cells too thin";

@@ -16,6 +16,7 @@ struct Certificate {
   double lower = 0;          ///< ≤ L(u)
   double upper = 0;          ///< ≥ L(u)
   double strain_energy = 0;  ///< ≤ ½ A(u_h,u_h)
+  double contact = 0;        ///< ≥ κ = ∫ p (g − r(u_h)), a part of the width
 };
 /// \param displacement, stress need not solve anything; the closer they do, the closer the bounds
 template <int dim>

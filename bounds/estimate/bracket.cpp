@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bounds/estimate/on_mesh.h"
 
@@ -17,16 +18,16 @@ PlainEnergies plain_energies(const scene::Problem<dim>& problem, const scene::Di
   return plain;
 }
 
-Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator) {
-  const double width = upper - lower;
-  double contact = 0;
-  for (const double share : indicator.contact) contact += share;
+Bracket bracket(double lower, double upper, double strain_energy, double contact) {
+  const auto up = [](double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); };
+  const double width = upper == lower ? 0 : up(upper - lower);
   Bracket result{lower, upper};
   if (width == 0) return result;
   result.relative_width = width / std::max(std::abs(lower), std::abs(upper));
-  result.error_bound = std::sqrt(2 * width);
-  result.mean_stress_error_bound = std::sqrt(std::max(0.0, (width + contact) / 2));
-  result.relative_error_bound = result.error_bound / std::sqrt(2 * strain_energy);
+  result.error_bound = up(std::sqrt(2 * width));
+  // κ is a part of the width
+  result.mean_stress_error_bound = up(std::sqrt(std::max(0.0, up(width + std::min(contact, width)) / 2)));
+  result.relative_error_bound = up(result.error_bound / std::nextafter(std::sqrt(2 * strain_energy), 0.0));
   return result;
 }
 

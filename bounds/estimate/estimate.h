@@ -78,11 +78,11 @@ struct Bracket {
   double upper = 0;
   double relative_width = 0;           ///< width by the larger of |lower|, |upper|
   double error_bound = 0;              ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
-  double mean_stress_error_bound = 0;  ///< √(½ width + ½ ∫ p (g − r)) ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}
+  double mean_stress_error_bound = 0;  ///< √T ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}, T = ½ width + ½ ∫ p (g − r(u_h))
   double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
 };
-/// \param strain_energy ½ A(u_h,u_h)
-Bracket bracket(double lower, double upper, double strain_energy, const Indicator& indicator);
+/// \param strain_energy ½ A(u_h,u_h), or less   \param contact κ = ∫ p (g − r(u_h)), or more
+Bracket bracket(double lower, double upper, double strain_energy, double contact);
 
 /// An estimate of what fixing the data edgewise did to the energy, in absolute value: to first order
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
