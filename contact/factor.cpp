@@ -125,10 +125,15 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
   right.x = const_cast<double*>(b.data());
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &handle_->common);
-  if (!solution) throw std::bad_alloc();
-  Eigen::VectorXd result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
-  cholmod_free_dense(&solution, &handle_->common);
+  cholmod_common common;  // its own workspace, so that several threads may solve at once
+  cholmod_start(&common);
+  common.print = 0;
+  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &common);
+  Eigen::VectorXd result;
+  if (solution) result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
+  cholmod_free_dense(&solution, &common);
+  cholmod_finish(&common);
+  if (result.size() == 0) throw std::bad_alloc();
   return result;
 }
 

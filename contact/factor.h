@@ -27,7 +27,7 @@ class Factor {
   /// Computes L. \param stiffness the matrix that was laid out, or one with the same pattern
   /// \return whether it is definite: no pivot is lost in rounding
   bool factorise(const Eigen::SparseMatrix<double>& stiffness);
-  /// K⁻¹ b. \pre factorise() returned true
+  /// K⁻¹ b; from several threads at once, too. \pre factorise() returned true
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   /// \pre factorise() returned true
   Trailing trailing() const;

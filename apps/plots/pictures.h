@@ -14,6 +14,8 @@ namespace bracket::apps {
 std::vector<Picture> pictures(const Report& report);
 
 Picture closing_picture(const Report& report);  ///< the bounds about the middle of the final bracket, against cells
+/// The same of each quantity, quantity_1 and so on, that two meshes or more have put between bounds.
+std::vector<Picture> quantity_pictures(const Report& report);
 Picture error_picture(const Report& report);    ///< the guaranteed relative error against cells and seconds
 Picture mesh_picture(const Report& report);     ///< the mesh coloured by the density of the indicator
 Picture stress_picture(const Report& report);   ///< the deformed bodies coloured by a stress

@@ -70,14 +70,23 @@ std::string log_axis(const std::string& axis, const std::vector<double>& values)
   return text + fmt::format("set format {0} '%g'\nset {0}tics ({1})\n", axis, tics);
 }
 
-Picture closing_picture(const Report& report) {
-  const bounds::Outcome<2>& run = report.outcome;
-  const double middle = run.lower + (run.upper - run.lower) / 2;
-  const double size = std::max(std::abs(run.lower), std::abs(run.upper));
-  double smallest = (run.upper - run.lower) / 2 / size, largest = 0;
+namespace {
+
+/// An interval that one mesh gave.
+struct Enclosed {
+  int cells;
+  double lower, upper;
+};
+
+/// The ends of the meshes' intervals about the middle of the final one [lower, upper].
+Picture closing(std::string name, std::string caption, const std::string& what, const std::vector<Enclosed>& meshes,
+                double final_lower, double final_upper) {
+  const double middle = final_lower + (final_upper - final_lower) / 2;
+  const double size = std::max(std::abs(final_lower), std::abs(final_upper));
+  double smallest = (final_upper - final_lower) / 2 / size, largest = 0;
   smallest = std::max(smallest, 1e-16);  // of an exact solution only rounding is left
-  for (const bounds::Level& level : run.levels)
-    largest = std::max({largest, (level.bracket.upper - middle) / size, (middle - level.bracket.lower) / size});
+  for (const Enclosed& mesh : meshes)
+    largest = std::max({largest, (mesh.upper - middle) / size, (middle - mesh.lower) / size});
   largest = std::max(largest, smallest);
   const int lowest = static_cast<int>(std::floor(std::log10(smallest)));
   const int highest = static_cast<int>(std::ceil(std::log10(largest)));
@@ -86,31 +95,62 @@ Picture closing_picture(const Report& report) {
   std::vector<double> cells;
   std::string band, lower, upper;
   double best_lower = -INFINITY, best_upper = INFINITY;
-  for (const bounds::Level& level : run.levels) {
-    best_lower = std::max(best_lower, level.bracket.lower);
-    best_upper = std::min(best_upper, level.bracket.upper);
-    const auto at = [&](double energy) { return height((energy - middle) / size, floor); };
-    band += fmt::format("{} {} {}\n", level.cells, at(best_lower), at(best_upper));
-    lower += fmt::format("{} {}\n", level.cells, at(level.bracket.lower));
-    upper += fmt::format("{} {}\n", level.cells, at(level.bracket.upper));
-    cells.push_back(level.cells);
+  for (const Enclosed& mesh : meshes) {
+    best_lower = std::max(best_lower, mesh.lower);
+    best_upper = std::min(best_upper, mesh.upper);
+    const auto at = [&](double value) { return height((value - middle) / size, floor); };
+    band += fmt::format("{} {} {}\n", mesh.cells, at(best_lower), at(best_upper));
+    lower += fmt::format("{} {}\n", mesh.cells, at(mesh.lower));
+    upper += fmt::format("{} {}\n", mesh.cells, at(mesh.upper));
+    cells.push_back(mesh.cells);
   }
   const double top = highest - lowest + 1.5;
-  return {"closing",
-          "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances from "
-          "the middle of the final interval, "
-          "by the size of the energy. The exact energy lies in the shaded band, the intersection of the levels' "
-          "intervals.",
-          640, 420,
+  return {std::move(name), std::move(caption), 640, 420,
           plot_style() + decade_tics(lowest, highest) + log_axis("x", cells) +
               fmt::format("set yrange [-{}:{}]\n"
-                          "set xlabel 'cells'\nset ylabel 'distance by size of the energy'\n"
-                          "plot '-' with filledcurves fc rgb '#cfe0ee' title 'energy', "
+                          "set xlabel 'cells'\nset ylabel 'distance by size of the {}'\n"
+                          "plot '-' with filledcurves fc rgb '#cfe0ee' title '{}', "
                           "0 with lines lw 0.8 lc rgb '#999999' notitle, "
                           "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'upper bound', "
                           "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'lower bound'\n"
                           "{}e\n{}e\n{}e\n",
-                          top, top, displacement_colour, stress_colour, band, upper, lower)};
+                          top, top, what, what, displacement_colour, stress_colour, band, upper, lower)};
+}
+
+}  // namespace
+
+Picture closing_picture(const Report& report) {
+  std::vector<Enclosed> meshes;
+  for (const bounds::Level& level : report.outcome.levels)
+    meshes.push_back({level.cells, level.bracket.lower, level.bracket.upper});
+  return closing(
+      "closing",
+      "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances "
+      "from the middle of the final interval, by the size of the energy. The exact energy lies in the shaded "
+      "band, the intersection of the levels' intervals.",
+      "energy", meshes, report.outcome.lower, report.outcome.upper);
+}
+
+std::vector<Picture> quantity_pictures(const Report& report) {
+  std::vector<Picture> result;
+  int number = 0;
+  for (const bounds::QuantityInterval& one : report.outcome.quantities) {
+    if (one.zone >= 0) continue;
+    ++number;
+    std::vector<Enclosed> meshes;
+    for (const bounds::QuantityLevel& level : one.levels)
+      if (std::isfinite(level.lower) && std::isfinite(level.upper))
+        meshes.push_back({level.cells, level.lower, level.upper});
+    if (meshes.size() < 2 || std::max(std::abs(one.lower), std::abs(one.upper)) == 0) continue;
+    result.push_back(
+        closing(fmt::format("quantity_{}", number),
+                fmt::format("{}: the bounds of each mesh that it was computed on, as distances from the "
+                            "middle of the final interval, by its size. The exact value lies in the shaded "
+                            "band.",
+                            one.name),
+                "quantity", meshes, one.lower, one.upper));
+  }
+  return result;
 }
 
 Picture error_picture(const Report& report) {
@@ -141,6 +181,7 @@ Picture error_picture(const Report& report) {
 std::vector<Picture> pictures(const Report& report) {
   const auto& levels = report.outcome.levels;
   std::vector<Picture> result;
+  for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
   if (levels.size() > 1) result.push_back(closing_picture(report));
   const auto known = [](const bounds::Level& level) {
     return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;

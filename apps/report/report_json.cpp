@@ -10,6 +10,7 @@
 #include "apps/report/json.h"
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
+#include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
 namespace {
@@ -146,6 +147,11 @@ Json contact_json(const Report& report) {
                      {"largest_pressure", of.largest_pressure},
                      {"at", {of.at[0], of.at[1]}},
                      {"grows", of.grows}});
+    if (report.outcome.guarantee != "none" && !report.running) {
+      const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
+                                             report.outcome.levels.back().certificate, i);
+      pairs.back()["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
+    }
     if (report.scene.contact[i].zones > 0) pairs.back()["zones"] = zones_json(report, i);
   }
   return pairs;

@@ -10,6 +10,7 @@
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
+#include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
 namespace {
@@ -81,6 +82,17 @@ std::string pair_line(const Report& report, int pair) {
                      of.length);
 }
 
+/// What the open part of a contact can carry.
+std::string open_line(const Report& report, int pair) {
+  if (report.outcome.guarantee == "none") return "";
+  const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
+                                         report.outcome.levels.back().certificate, pair);
+  if (open.length == 0) return "";
+  return fmt::format(
+      "    guaranteed: where it is open by {:.4g} or more, on {:.4g} of its length, it carries at most {}\n", open.gap,
+      open.length, rounded_up(open.force));
+}
+
 /// The forces of a contact's zones, and where it presses for sure.
 std::string zone_lines(const Report& report, int pair) {
   std::string text;
@@ -99,7 +111,7 @@ std::string contact_text(const Report& report) {
       fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
                   primal.active_rows, primal.rows, primal.iterations, dual.active_rows, dual.rows, dual.iterations);
   for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
-    text += pair_line(report, pair) + zone_lines(report, pair);
+    text += pair_line(report, pair) + open_line(report, pair) + zone_lines(report, pair);
   return text;
 }
 

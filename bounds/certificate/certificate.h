@@ -24,7 +24,7 @@ Certificate certify(const scene::Problem<dim>& problem, const scene::Displacemen
                     const scene::Stress<dim>& stress);
 
 /// A bound of the functional J of a perturbation (scene/problem/perturbation.h) at the solution of the problem that it
-/// was added to, f times: by docs/theory.md §8, for every v in K and every λ in K⁺ of the perturbed problem,
+/// was added to, f times: by docs/theory.md §10, for every v in K and every λ in K⁺ of the perturbed problem,
 ///     f J ≤ f Q(v) + f R(λ) + ½ (L_f(v) + S_f(λ) + κ_f),     κ_f = ∫ p (g + f ψ − r(v)).
 /// With f > 0 it bounds J from above, with f < 0 from below.
 struct FunctionalBound {

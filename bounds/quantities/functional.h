@@ -6,7 +6,7 @@
 #include "scene/enclosure.h"
 #include "scene/scene.h"
 
-/// What is asked of a scene, as functionals of perturbations (docs/theory.md §8).
+/// What is asked of a scene, as functionals of perturbations (docs/theory.md §10).
 namespace bracket::bounds {
 
 /// A quantity q as (J + offset) / scale of two functionals: of a lower bound of the first and an upper bound of the

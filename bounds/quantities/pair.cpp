@@ -42,13 +42,23 @@ double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 template <int dim> PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, PerturbedPair<dim> pair) {
   const auto& [v1, v2] = pair.displacement;
   const auto& [l1, l2] = pair.stress;
-  const scene::Displacement<dim> mean = combined(v1, v2, 1), half = combined(v1, v2, -1);
-  const scene::Stress<dim> mean_stress = combined(l1, l2, 1), half_stress = combined(l1, l2, -1);
-  const Indicator means = indicator(problem, mean, mean_stress);
-  const Indicator differences = indicator(problem, half, half_stress);
-  pair.strength = std::max(ratio(largest(half), largest(mean)), ratio(largest(half_stress), largest(mean_stress)));
+  struct Sized {
+    Indicator indicator;
+    double displacement, stress, rounding;
+  };
   // Enclosures of energies are about as wide as some units in the last place of a double.
-  pair.rounding = 8 * std::numeric_limits<double>::epsilon() * potential_energy(problem, half).strain;
+  const auto combine = [&](double sign) -> Sized {
+    const scene::Displacement<dim> v = combined(v1, v2, sign);
+    const scene::Stress<dim> l = combined(l1, l2, sign);
+    constexpr double units = 8 * std::numeric_limits<double>::epsilon();
+    return {indicator(problem, v, l), largest(v), largest(l), units * potential_energy(problem, v).strain};
+  };
+  auto other = std::async(std::launch::async, combine, 1.0);
+  const Sized half = combine(-1);
+  const Sized mean = other.get();
+  const Indicator &means = mean.indicator, &differences = half.indicator;
+  pair.strength = std::max(ratio(half.displacement, mean.displacement), ratio(half.stress, mean.stress));
+  pair.rounding = half.rounding;
   for (std::size_t c = 0; c < means.cell.size(); ++c) {
     pair.of_means += means.cell[c];
     pair.of_differences += differences.cell[c];
@@ -65,21 +75,23 @@ template <int dim>
 Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
                         const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
                         const std::array<Closed, 2>& closed) {
-  const std::array<scene::Problem<dim>, 2> problems = {scene::perturbed(problem, by, s, -s),
-                                                       scene::perturbed(problem, by, -s, s)};
-  std::array<dual::Result<dim>, 2> stresses;
-  auto other = std::async(std::launch::async, [&] {
-    for (int i = 0; i < 2; ++i) stresses[i] = solvers.stresses->solve(problems[i], closed[i].dual);
-  });
-  Attempt<dim> attempt;
   std::array<primal::Result<dim>, 2> displacements;
-  for (int i = 0; i < 2; ++i) try {
-      displacements[i] = solvers.displacements->solve(problems[i], closed[i].primal);
+  std::array<dual::Result<dim>, 2> stresses;
+  const auto solve = [&](int i) {
+    const double sign = i == 0 ? 1 : -1;
+    const scene::Problem<dim> perturbed = scene::perturbed(problem, by, sign * s, -sign * s);
+    stresses[i] = solvers.stresses->solve(perturbed, closed[i].dual);
+    try {
+      displacements[i] = solvers.displacements->solve(perturbed, closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
       displacements[i].termination = Termination::contradiction;
       displacements[i].reason = error.what();
     }
+  };
+  auto other = std::async(std::launch::async, solve, 1);
+  solve(0);
   other.get();
+  Attempt<dim> attempt;
   for (int i = 0; i < 2; ++i) {
     const auto of_loads = [](Termination why) { return why == Termination::no_equilibrium; };
     const auto of_gaps = [](Termination why) {

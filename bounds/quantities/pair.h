@@ -9,7 +9,7 @@
 #include "dual/dual.h"
 #include "primal/primal.h"
 
-/// The two perturbed problems that bound a functional, by both formulations (docs/theory.md §8).
+/// The two perturbed problems that bound a functional, by both formulations (docs/theory.md §10).
 namespace bracket::bounds {
 
 /// What has factorised a level, and what its contact is expected to be.

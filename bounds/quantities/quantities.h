@@ -7,7 +7,7 @@
 
 #include "scene/quantity.h"
 
-/// Quantities of interest between two guaranteed bounds (docs/theory.md §8).
+/// Quantities of interest between two guaranteed bounds (docs/theory.md §10).
 namespace bracket::bounds {
 
 /// What one mesh said of a quantity.

@@ -3,7 +3,7 @@
 
 #include "bounds/quantities/pair.h"
 
-/// The choice of s (docs/theory.md §8.3).
+/// The choice of s (docs/theory.md §10.3).
 namespace bracket::bounds {
 
 /// What is known of a functional's s from the level before.

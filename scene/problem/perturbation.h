@@ -7,7 +7,7 @@
 
 #include "scene/types.h"
 
-/// Data beside those of a problem: what a quantity of interest is the derivative by (docs/theory.md §8).
+/// Data beside those of a problem: what a quantity of interest is the derivative by (docs/theory.md §10).
 namespace bracket::scene {
 
 /// As many copies of a value as a facet has vertices.

@@ -41,9 +41,9 @@ std::string description(const Quantity<2>& quantity) {
 
 Quantity<2> read_quantity(const toml::table& entry) {
   const std::string called = "quantity";
-  std::vector<std::string> keys(option_names<QuantityKind>.begin(), option_names<QuantityKind>.end());
-  keys.insert(keys.end(), {"name", "direction", "component", "from", "to", "weight", "target", "absolute"});
-  check_keys(entry, "[[quantity]]", keys);
+  check_keys(entry, "[[quantity]]",
+             {"displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy", "name",
+              "direction", "component", "from", "to", "weight", "target", "absolute"});
   Quantity<2> quantity;
   quantity.where = where(entry);
   const toml::node& of = kind_of(entry, quantity);

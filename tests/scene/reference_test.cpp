@@ -89,6 +89,7 @@ TEST(Reference, HasEveryKeyOfTheReaderWithAnExample) {
                                                      {"[bodies.NAME]", "[bodies.lower]"},
                                                      {"[boundary.\"PART\"]", "[boundary.\"lower.bottom\"]"},
                                                      {"[[contact]]", "[[contact]]"},
+                                                     {"[[quantity]]", "[[quantity]]"},
                                                      {"[curves.\"PART\"]", "[curves.\"upper.top\"]"},
                                                      {"[refine]", "[refine]"},
                                                      {"[solve]", "[solve]"}};

@@ -75,7 +75,7 @@ struct Posed {
   scene::Problem<2> perturbed() const { return scene::perturbed(problem, by, f, f); }
 };
 
-/// L(v) + S(λ) − ¼ ‖σ(v) − λ‖² with the data without the perturbation: what bounds f J, by docs/theory.md §8, as the
+/// L(v) + S(λ) − ¼ ‖σ(v) − λ‖² with the data without the perturbation: what bounds f J, by docs/theory.md §10, as the
 /// theorem has it; the certificate evaluates another form of it.
 Exact bound_by_definition(const Posed& posed, const Judged& exact, const ExactDisplacement& unperturbed) {
   const scene::Problem<2> perturbed = posed.perturbed();

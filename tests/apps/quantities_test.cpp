@@ -1,0 +1,157 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/quantities.h"
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "tests/apps/command.h"
+
+namespace bracket::apps::tests {
+namespace {
+
+using Json = nlohmann::json;
+using Rational = boost::multiprecision::cpp_rational;
+
+/// The number that a decimal text stands for, exactly.
+Rational value(std::string text) {
+  const bool negative = text[0] == '-';
+  if (negative) text.erase(0, 1);
+  int exponent = 0;
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    exponent = std::stoi(text.substr(e + 1));
+    text.resize(e);
+  }
+  if (const std::size_t point = text.find('.'); point != std::string::npos) {
+    exponent -= static_cast<int>(text.size() - point) - 1;
+    text.erase(point, 1);
+  }
+  text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
+  Rational result{boost::multiprecision::cpp_int(text)};
+  for (; exponent > 0; --exponent) result *= 10;
+  for (; exponent < 0; ++exponent) result /= 10;
+  return negative ? Rational(-result) : result;
+}
+
+void expect_enclosed(double lower, double upper) {
+  const Decimals decimals = enclosed_in_decimals(lower, upper);
+  const Rational below = value(decimals.lower), above = value(decimals.upper), low(lower), high(upper);
+  EXPECT_LE(below, low) << decimals.lower << " " << decimals.upper;
+  EXPECT_GE(above, high) << decimals.lower << " " << decimals.upper;
+  // By a tenth of the width on each side, or the seventeenth digit of the larger.
+  const Rational size = std::max(abs(low), abs(high)), slack = (high - low) / 10 + size / 1000000000000000;
+  const bool three_digits = high - low > size / 10;
+  EXPECT_LE(low - below, three_digits ? Rational(size / 100) : slack) << decimals.lower << " " << decimals.upper;
+  EXPECT_LE(above - high, three_digits ? Rational(size / 100) : slack) << decimals.lower << " " << decimals.upper;
+}
+
+TEST(Decimals, enclose_the_interval) {
+  std::mt19937_64 generator(1);
+  std::uniform_real_distribution<double> mantissa(-10, 10), power(-40, 40), width(-16, 1);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const double lower = mantissa(generator) * std::pow(10, power(generator));
+    const double upper = lower + std::abs(lower) * std::pow(10, width(generator));
+    if (lower <= upper) expect_enclosed(lower, upper);
+  }
+  for (const auto& [lower, upper] : {std::pair(412.314, 412.376),
+                                     {0.0, 1.61e-6},
+                                     {-1e-16, 1e-16},
+                                     {0.1, 0.1},
+                                     {9.9999999, 10.0},
+                                     {-10.0, -9.9999999},
+                                     {1.0, 1.0},
+                                     {-0.5, 2e7},
+                                     {999999.9, 1000000.1}})
+    expect_enclosed(lower, upper);
+}
+
+TEST(Decimals, as_people_write_them) {
+  const auto text = [](double lower, double upper) {
+    const auto [low, high] = enclosed_in_decimals(lower, upper);
+    return low + " " + high;
+  };
+  EXPECT_EQ(text(412.3141, 412.3759), "412.314 412.376");
+  EXPECT_EQ(text(0, 0), "0 0");
+  EXPECT_EQ(text(0.5, 0.75), "0.500 0.750");
+  EXPECT_EQ(text(-0.5, -0.25), "-0.500 -0.250");
+  EXPECT_EQ(text(0x1p-20, 0x1.8p-20), "9.5e-07 1.44e-06");
+}
+
+const std::string asked = R"(
+[[quantity]]
+name = "lift"
+displacement = "upper.top"
+direction = [0, 1]
+target = 0.5
+[[quantity]]
+force = "upper.bottom"
+[[quantity]]
+energy = true
+)";
+
+class Quantities : public Command {
+ protected:
+  Quantities() { write("scene.toml", two_blocks + asked); }
+};
+
+TEST_F(Quantities, come_first_and_are_rounded_outward) {
+  const Ended ended = shell("bracket run scene.toml --set refine.strategy=adaptive --set refine.target=0.05");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  std::istringstream lines(ended.out);
+  const Json report = Json::parse(read("scene.out/report.json"));
+  ASSERT_EQ(report["quantities"].size(), 3u);
+  for (const Json& quantity : report["quantities"]) {
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.substr(0, quantity["name"].get<std::string>().size()), quantity["name"]);
+    const std::size_t open = line.find("in [") + 4, comma = line.find(", "), close = line.find(']');
+    EXPECT_LE(value(line.substr(open, comma - open)), Rational(quantity["lower"].get<double>()));
+    EXPECT_GE(value(line.substr(comma + 2, close - comma - 2)), Rational(quantity["upper"].get<double>()));
+    EXPECT_FALSE(quantity["levels"].empty());
+    EXPECT_EQ(quantity["levels"].back()["cells"], report["levels"].back()["cells"]);
+    EXPECT_TRUE(quantity["target_reached"].get<bool>());
+    for (const Json& level : quantity["levels"]) {
+      EXPECT_LE(level["lower"], quantity["lower"]);
+      EXPECT_GE(level["upper"], quantity["upper"]);
+    }
+  }
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.substr(0, 11), "energy in [");
+  const std::string csv = read("scene.out/quantities.csv");
+  std::size_t expected = 1;
+  for (const Json& quantity : report["quantities"]) expected += quantity["levels"].size();
+  EXPECT_EQ(std::ranges::count(csv, '\n'), static_cast<std::ptrdiff_t>(expected));
+}
+
+TEST_F(Quantities, a_target_that_is_not_reached_is_status_5) {
+  const Ended ended = shell("bracket run scene.toml --quiet --no-report --set quantity.0.target=1e-9");
+  EXPECT_EQ(ended.status, 5);
+  EXPECT_NE(ended.err.find("the target of 'lift' is not reached"), std::string::npos) << ended.err;
+}
+
+TEST_F(Quantities, all_levels) {
+  const Ended ended = shell(
+      "bracket run scene.toml --quiet --no-report --all-levels --set refine.strategy=uniform "
+      "--set refine.max_levels=3");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const Json& quantity : Json::parse(read("scene.out/report.json"))["quantities"])
+    EXPECT_EQ(quantity["levels"].size(), 3u);
+}
+
+TEST_F(Quantities, zones_of_a_contact) {
+  const Ended ended = shell(
+      "bracket run scene.toml --no-report --set contact.0.zones=2 --set refine.strategy=uniform "
+      "--set refine.max_levels=3");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json zones = Json::parse(read("scene.out/report.json"))["contact"][0]["zones"];
+  ASSERT_EQ(zones.size(), 2u);
+  for (const Json& zone : zones) EXPECT_LE(zone["lower"], zone["upper"]);
+  EXPECT_NE(ended.out.find("zone 2 of upper.bottom: force in ["), std::string::npos) << ended.out;
+}
+
+}  // namespace
+}  // namespace bracket::apps::tests
