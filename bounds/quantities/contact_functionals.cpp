@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "bounds/certificate/admissible_displacement.h"
 #include "bounds/quantities/line.h"
@@ -117,6 +119,24 @@ Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& fir
 
 namespace {
 
+std::array<double, 3> negated(const std::array<double, 3>& w) { return {0.0 - w[0], 0.0 - w[1], 0.0 - w[2]}; }
+
+/// A linear weight that is nowhere above a quadratic one, which is linear itself but for rounding: of its Bernstein
+/// coefficients none is larger.
+std::array<double, 3> linear_below(std::array<double, 3> weight, const Quantity<2>& quantity) {
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  const double size = std::max({std::abs(weight[0]), std::abs(weight[1]), std::abs(weight[2])});
+  const double mean = (weight[0] + weight[2]) / 2;
+  if (std::abs(weight[1] - mean) > rounding * size)
+    refuse(quantity, "the weight of an opening must be linear on each edge of the first mesh");
+  // Twice the mean is sum + error, exactly; what is taken off is not lost in rounding.
+  const auto [sum, error] = scene::exact_sum(weight[0], weight[2]);
+  const scene::Real middle = 2 * scene::Real(weight[1]);
+  const bool above = sum > middle || (sum == middle && error > 0);
+  const double excess = above ? rounding * size : 0;
+  return {weight[0] - excess, mean - excess, weight[2] - excess};
+}
+
 /// ∫ w g of a weight that is linear on the first mesh's facets, with the lower or the upper gap of the current mesh.
 Enclosure weighted_gap(const Problem<2>& problem, const std::vector<std::array<double, 3>>& weight, bool upper) {
   const std::vector<int> contact_of = scene::contacts_by_first(scene::first_of(problem));
@@ -141,14 +161,13 @@ Enclosure weighted_gap(const Problem<2>& problem, const std::vector<std::array<d
 
 Functionals<2> opening(const scene::Scene<2>& scene, const Problem<2>& problem, const Quantity<2>& quantity) {
   const Problem<2>& first = scene::first_of(problem);
-  const ContactWeights weights = contact_weights(scene, first, quantity);
+  ContactWeights weights = contact_weights(scene, first, quantity);
+  for (auto& weight : weights.below) weight = linear_below(weight, quantity);
+  for (auto& weight : weights.above) weight = negated(linear_below(negated(weight), quantity));
   const auto with = [&](const std::vector<std::array<double, 3>>& weight) {
     Perturbation<2> perturbation = scene::no_perturbation(first);
-    for (std::size_t j = 0; j < weight.size(); ++j) {
-      if (weight[j][1] != (weight[j][0] + weight[j][2]) / 2)
-        refuse(quantity, "the weight of an opening must be linear on each edge of the first mesh");
+    for (std::size_t j = 0; j < weight.size(); ++j)
       perturbation.contact[j].opening = {0.0 - weight[j][0], 0.0 - weight[j][2]};
-    }
     return std::make_shared<const Perturbation<2>>(std::move(perturbation));
   };
   Functionals<2> result;

@@ -44,6 +44,10 @@ void take(const FunctionalBound& bound, double sign, const Functionals<dim>& ask
   }
   const Enclosure offset = sign > 0 ? asked.offset_above : asked.offset_below;
   const Enclosure end = (Enclosure(sign) * Enclosure(bound.above) + offset) / asked.scale;
+  if (!std::isfinite(magnitude(end))) {
+    if (level.reason.empty()) level.reason = "the interval could not be enclosed: numbers too large or too small";
+    return;
+  }
   (sign > 0 ? level.upper : level.lower) = sign > 0 ? upper(end) : lower(end);
 }
 

@@ -39,6 +39,7 @@ std::vector<int> facets_of(const Problem<2>& first, const Quantity<2>& quantity)
   std::vector<int> facets;
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
     if (mesh.boundary[f].part == part - mesh.parts.begin()) facets.push_back(static_cast<int>(f));
+  if (facets.empty()) refuse(quantity, fmt::format("the boundary part '{}' has no edges", quantity.of));
   return facets;
 }
 
