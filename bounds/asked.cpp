@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bounds/certificate/functional.h"
+#include "bounds/certificate/open_contact.h"
 #include "bounds/free_motions.h"
 #include "bounds/quantities/line.h"
 #include "scene/text.h"
@@ -110,6 +111,13 @@ Outcome<dim> with_quantity(Outcome<dim> outcome, const scene::Scene<dim>& scene,
       outcome.problem,        examined.solvers,       {examined.primal.closed, examined.dual.closed},
       last.certificate.lower, last.certificate.upper, outcome.indicator};
   auto found = evaluate(scene, one.quantity, solved, one.undetermined, one.learned);
+  if (one.quantity.kind == QuantityKind::force && one.quantity.stretch) {
+    // What is open for sure carries little, whatever its weight's ramps reach.
+    const auto line = contact_lines(scene::first_of(outcome.problem), one.contact).at(0);
+    const auto chosen = on_stretch(outcome.problem, line, *one.quantity.stretch);
+    found.level.upper =
+        std::min(found.level.upper, force_at_most(outcome.problem, outcome.displacement, last.certificate, chosen));
+  }
   one.learned = std::move(found.learned);
   one.indicator = std::move(found.indicator);
   last.seconds.quantities += found.level.seconds;

@@ -7,6 +7,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/say.h"
 #include "apps/report/json.h"
+#include "bounds/asked.h"
 #include "bounds/bounds.h"
 
 namespace bracket::apps {
@@ -181,7 +182,11 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
   const scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
   if (as_json) {
     Json result = problem_json(scene, problem);
-    result["loads_changed"] = bounds::balanced(problem, scene.solve.degree).imbalance;
+    const scene::Problem<2> balanced = bounds::balanced(problem, scene.solve.degree);
+    result["loads_changed"] = balanced.imbalance;
+    result["quantities"] = Json::array();
+    for (const auto& one : bounds::asked(scene, balanced))
+      result["quantities"].push_back({{"name", one.quantity.name}, {"undetermined", one.undetermined.motion}});
     result["status"] = "done";
     result["notes"] = problem.mesh.notes;
     std::cout << dump(result);
@@ -189,9 +194,12 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
   }
   print_notes(problem.mesh);
   std::cout << problem_text(scene, problem) << std::flush;
-  const double imbalance = bounds::balanced(problem, scene.solve.degree).imbalance;
+  const scene::Problem<2> balanced = bounds::balanced(problem, scene.solve.degree);
   std::cout << fmt::format("solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n",
-                           imbalance);
+                           balanced.imbalance);
+  for (const auto& one : bounds::asked(scene, balanced))
+    std::cout << fmt::format("quantity: {}{}\n", one.quantity.name,
+                             one.undetermined.motion.empty() ? "" : "; one end only: " + one.undetermined.motion);
 }
 
 void info(const std::filesystem::path& file, bool as_json) {

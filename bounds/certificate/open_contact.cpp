@@ -3,10 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bounds/certificate/admissible_displacement.h"
 
 namespace bracket::bounds {
+
+namespace {
+
+/// Of each contact facet: the gap that is left on all of it for sure; none where the displacements are not admissible.
+std::vector<double> least_gaps(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
+  const auto supports = vertex_supports(problem);
+  const auto [field, reason] = admissible_field(problem, displacement, supports);
+  std::vector<double> gaps;
+  for (const auto& contact : problem.contact) {
+    double least = std::numeric_limits<double>::infinity();
+    if (!field) least = 0;
+    for (int k = 0; k < 3 && field; ++k)
+      least = std::min(least, lower(-penetration<Enclosure>(problem, supports, *field, contact)[k]));
+    gaps.push_back(least);
+  }
+  return gaps;
+}
+
+/// T / δ
+double at_most(const Certificate& certificate, double gap) {
+  const Enclosure width = Enclosure(certificate.upper) - Enclosure(certificate.lower);
+  return upper((width + Enclosure(certificate.contact)) / Enclosure(2) / Enclosure(gap));
+}
+
+}  // namespace
 
 template <int dim>
 OpenContact open_contact(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
@@ -14,34 +40,37 @@ OpenContact open_contact(const scene::Problem<dim>& problem, const scene::Displa
   struct Facet {
     double gap, length;
   };
-  const auto supports = vertex_supports(problem);
-  const auto [field, reason] = admissible_field(problem, displacement, supports);
-  OpenContact result;
-  if (!field) return result;
+  const std::vector<double> gaps = least_gaps(problem, displacement);
   std::vector<Facet> open;
   double length = 0;
-  for (const auto& contact : problem.contact) {
-    if (contact.pair != pair) continue;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Enclosure& r : penetration<Enclosure>(problem, supports, *field, contact))
-      least = std::min(least, lower(-r));
-    if (!(least > 0)) continue;
-    open.push_back({least, scene::length(problem.mesh, contact.first)});
+  for (std::size_t j = 0; j < gaps.size(); ++j) {
+    if (problem.contact[j].pair != pair || !(gaps[j] > 0)) continue;
+    open.push_back({gaps[j], scene::length(problem.mesh, problem.contact[j].first)});
     length += open.back().length;
   }
   std::ranges::sort(open, std::greater{}, &Facet::gap);
+  OpenContact result;
   for (const Facet& facet : open) {
     if (result.length > 0 && result.length + facet.length > length / 2) break;
     result.length += facet.length;
     result.gap = facet.gap;
   }
-  if (result.length == 0) return result;
-  const Enclosure width = Enclosure(certificate.upper) - Enclosure(certificate.lower);
-  const Enclosure t = (width + Enclosure(certificate.contact)) / Enclosure(2);
-  result.force = upper(t / Enclosure(result.gap));
+  if (result.length > 0) result.force = at_most(certificate, result.gap);
   return result;
 }
 
+template <int dim>
+double force_at_most(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                     const Certificate& certificate, const std::vector<char>& chosen) {
+  const std::vector<double> gaps = least_gaps(problem, displacement);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < gaps.size(); ++j)
+    if (chosen[j]) least = std::min(least, gaps[j]);
+  return least > 0 ? at_most(certificate, least) : std::numeric_limits<double>::infinity();
+}
+
 template OpenContact open_contact(const scene::Problem<2>&, const scene::Displacement<2>&, const Certificate&, int);
+template double force_at_most(const scene::Problem<2>&, const scene::Displacement<2>&, const Certificate&,
+                              const std::vector<char>&);
 
 }  // namespace bracket::bounds

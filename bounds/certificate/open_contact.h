@@ -19,4 +19,10 @@ template <int dim>
 OpenContact open_contact(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                          const Certificate& certificate, int pair);
 
+/// What some contact facets carry together at most, if the displacements leave a gap on all of them; else infinite.
+/// \param chosen of each of Problem::contact
+template <int dim>
+double force_at_most(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                     const Certificate& certificate, const std::vector<char>& chosen);
+
 }  // namespace bracket::bounds

@@ -85,6 +85,25 @@ StretchWeights stretch_weights(const scene::Problem<2>& problem, const ContactLi
   return weights;
 }
 
+std::vector<char> on_stretch(const scene::Problem<2>& problem, const ContactLine& line,
+                             const scene::LineStretch& stretch) {
+  const std::vector<int> contact_of = scene::contacts_by_first(scene::first_of(problem));
+  std::map<int, std::size_t> place;
+  for (std::size_t i = 0; i < line.contact.size(); ++i) place[line.contact[i]] = i;
+  std::vector<char> result;
+  for (const auto& pair : problem.contact) {
+    const auto [of, corner] = scene::piece_of_facet(problem, pair.first);
+    const auto found = place.find(contact_of[of]);
+    result.push_back(0);
+    if (found == place.end()) continue;
+    const double begin = line.arc[found->second], end = line.arc[found->second + 1];
+    const double from = end - corner[1][0] * (end - begin), to = end - corner[0][0] * (end - begin);
+    const double rounding = 1e-12 * line.arc.back();  // as for weights
+    result.back() = to > stretch.from + rounding && from < stretch.to - rounding;
+  }
+  return result;
+}
+
 std::vector<std::array<bool, 2>> held_ends(const scene::Problem<2>& problem) {
   const auto& mesh = problem.mesh;
   std::vector<std::vector<int>> facets(mesh.vertices.size());

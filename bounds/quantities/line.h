@@ -33,6 +33,10 @@ struct StretchWeights {
 StretchWeights stretch_weights(const scene::Problem<2>& problem, const ContactLine& line,
                                const scene::LineStretch& stretch, const std::string& where);
 
+/// The contact facets of a mesh that lie on a stretch, at least in part. \param line of its first mesh
+std::vector<char> on_stretch(const scene::Problem<2>& problem, const ContactLine& line,
+                             const scene::LineStretch& stretch);
+
 /// At the vertices of contact facets where what is prescribed on both sides leaves no motion along d.
 std::vector<std::array<bool, 2>> held_ends(const scene::Problem<2>& problem);
 
