@@ -11,9 +11,10 @@ namespace {
 
 using scene::Enclosure;
 
-/// s from the level before, by the law of its optimum where the contact moves: the cube root of the width.
+/// s from the level before, by the law of its optimum: where the contact moves it falls like the cube root of the
+/// width, else it stays.
 Guess carried_over(Guess guess, const Closed& closed, double energy_width, double before) {
-  if (before > 0 && energy_width > 0) guess.s *= std::cbrt(energy_width / before);
+  if (before > 0 && energy_width > 0 && guess.moves) guess.s *= std::cbrt(energy_width / before);
   guess.closed = {closed, closed};
   return guess;
 }
@@ -118,6 +119,7 @@ EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functional
       continue;
     }
     guess.s = guess.s > 0 ? kept(guess.s, best.pair->s) : best.pair->s;
+    guess.moves = best.pair->of_means > 1.05 * of_means;
     result.level.s = best.pair->s;
     add_terms(result.indicator, level.indicator, *best.pair, share);
     result.plain_width += share * best.pair->width;

@@ -52,9 +52,9 @@ Attempt<dim> best_pair(const scene::Problem<dim>& problem, const Solvers<dim>& s
     Attempt<dim> attempt = solve_pair(problem, solvers, by, next, closed);
     if (!attempt.pair) {
       too_large = next;
-      if (best.pair) break;
-      best.why = attempt.why;
-      next /= 8;
+      next /= best.pair ? 2 : 8;
+      if (!best.pair) best.why = attempt.why;
+      if (best.pair && next <= best.pair->s) break;
       continue;
     }
     ++tried;
@@ -65,7 +65,7 @@ Attempt<dim> best_pair(const scene::Problem<dim>& problem, const Solvers<dim>& s
     if (!best.pair || expected(pair) < expected(*best.pair)) best = std::move(attempt);
     seen.push_back(next);
     closed = best.pair->closed;
-    next = std::min(better, too_large / 8);
+    next = std::min(better, too_large / 2);
     if (std::ranges::count(seen, next) > 0) break;
   }
   return best;

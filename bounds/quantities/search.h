@@ -8,7 +8,8 @@ namespace bracket::bounds {
 
 /// What is known of a functional's s from the level before.
 struct Guess {
-  double s = 0;  ///< 0: nothing; any positive number
+  double s = 0;        ///< 0: nothing; any positive number
+  bool moves = false;  ///< whether the contact of the pair moved so that its width showed it
   std::array<Closed, 2> closed = {};
 };
 
