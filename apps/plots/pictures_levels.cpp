@@ -114,7 +114,8 @@ Picture closing(std::string name, std::string caption, const std::string& what, 
                           "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'upper bound', "
                           "'-' with linespoints lw 2 pt 7 ps 0.6 lc rgb '{}' title 'lower bound'\n"
                           "{}e\n{}e\n{}e\n",
-                          top, top, what, what, displacement_colour, stress_colour, band, upper, lower)};
+                          top, top, what, what == "energy" ? what : "value", displacement_colour, stress_colour, band,
+                          upper, lower)};
 }
 
 }  // namespace
