@@ -102,11 +102,21 @@ template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene,
   return result;
 }
 
+template <int dim> QuantityInterval unknown(const Asked<dim>& asked) {
+  QuantityInterval interval;
+  interval.name = asked.quantity.name;
+  interval.kind = asked.quantity.kind;
+  interval.contact = asked.contact;
+  interval.zone = asked.zone;
+  interval.reason = asked.undetermined.motion;
+  interval.target_reached = !is_wanting(asked, interval);
+  return interval;
+}
+
 template <int dim>
-Outcome<dim> with_quantity(Outcome<dim> outcome, const scene::Scene<dim>& scene, std::vector<Asked<dim>>& asked,
-                           std::size_t which, const Examined<dim>& examined, bool one_problem) {
-  Asked<dim>& one = asked[which];
-  Level& last = outcome.levels.back();
+QuantityInterval on_last_level(const Outcome<dim>& outcome, const scene::Scene<dim>& scene, Asked<dim>& one,
+                               QuantityInterval interval, const Examined<dim>& examined, bool one_problem) {
+  const Level& last = outcome.levels.back();
   const SolvedLevel<dim> solved{
       outcome.problem,        examined.solvers,       {examined.primal.closed, examined.dual.closed},
       last.certificate.lower, last.certificate.upper, outcome.indicator};
@@ -120,18 +130,10 @@ Outcome<dim> with_quantity(Outcome<dim> outcome, const scene::Scene<dim>& scene,
   }
   one.learned = std::move(found.learned);
   one.indicator = std::move(found.indicator);
-  last.seconds.quantities += found.level.seconds;
-  last.seconds.total += found.level.seconds;
-  outcome.quantities.resize(asked.size());
-  QuantityInterval& interval = outcome.quantities[which];
   if (!one_problem || interval.levels.empty()) {
     interval.lower = -std::numeric_limits<double>::infinity();
     interval.upper = -interval.lower;
   }
-  interval.name = one.quantity.name;
-  interval.kind = one.quantity.kind;
-  interval.contact = one.contact;
-  interval.zone = one.zone;
   interval.weighted = found.weighted;
   interval.lower = std::max(interval.lower, found.level.lower);
   interval.upper = std::min(interval.upper, found.level.upper);
@@ -143,7 +145,7 @@ Outcome<dim> with_quantity(Outcome<dim> outcome, const scene::Scene<dim>& scene,
   interval.reason = one.undetermined.motion.empty() ? found.level.reason : one.undetermined.motion;
   interval.levels.push_back(std::move(found.level));
   interval.target_reached = !is_wanting(one, interval);
-  return outcome;
+  return interval;
 }
 
 template <int dim> bool is_wanting(const Asked<dim>& asked, const QuantityInterval& interval) {
@@ -152,6 +154,63 @@ template <int dim> bool is_wanting(const Asked<dim>& asked, const QuantityInterv
   if (interval.levels.empty()) return target > 0 || absolute > 0;
   if (width == 0) return false;
   return (target > 0 && !(interval.relative_width <= target)) || (absolute > 0 && !(width <= absolute));
+}
+
+template <int dim>
+Targets targets(const Outcome<dim>& outcome, const scene::Refine& refine, const std::vector<Asked<dim>>& asked) {
+  Targets result;
+  result.any = refine.target > 0;
+  result.energy = refine.target == 0 || outcome.relative_error_bound <= refine.target;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const auto& quantity = asked[i].quantity;
+    result.any = result.any || quantity.target > 0 || quantity.absolute > 0;
+    result.quantities = result.quantities && !is_wanting(asked[i], outcome.quantities[i]);
+  }
+  return result;
+}
+
+namespace {
+
+/// Whether a quantity was computed on the last level.
+template <int dim> bool is_known(const Outcome<dim>& outcome, std::size_t which) {
+  return !outcome.quantities[which].levels.empty() &&
+         outcome.quantities[which].levels.back().cells == outcome.levels.back().cells;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<std::size_t> due(const Outcome<dim>& outcome, const scene::Refine& refine,
+                             const std::vector<Asked<dim>>& asked) {
+  const bool all = refine.all_levels || outcome.unstrained;
+  const bool energy_met = targets(outcome, refine, asked).energy;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (is_known(outcome, i)) continue;
+    const bool never = outcome.quantities[i].levels.empty();
+    const double grown =
+        never ? 4.0 : static_cast<double>(outcome.levels.back().cells) / outcome.quantities[i].levels.back().cells;
+    const bool awaited = energy_met && !never && is_wanting(asked[i], outcome.quantities[i]);
+    if (all || asked[i].quantity.name == refine.goal || grown >= (awaited ? 2 : 4)) result.push_back(i);
+  }
+  return result;
+}
+
+template <int dim> std::vector<std::size_t> missing(const Outcome<dim>& outcome, const std::vector<Asked<dim>>& asked) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (!is_known(outcome, i)) result.push_back(i);
+  return result;
+}
+
+template <int dim>
+const Indicator& steering(const Outcome<dim>& outcome, const scene::Refine& refine,
+                          const std::vector<Asked<dim>>& asked) {
+  for (const auto& one : asked)
+    if (!refine.goal.empty() && one.quantity.name == refine.goal && one.indicator.sum > 0 &&
+        one.indicator.cell.size() == outcome.indicator.cell.size())
+      return one.indicator;
+  return outcome.indicator;
 }
 
 std::string contradiction(const std::vector<QuantityInterval>& quantities) {
@@ -166,8 +225,13 @@ std::string contradiction(const std::vector<QuantityInterval>& quantities) {
 
 template struct Asked<2>;
 template std::vector<Asked<2>> asked(const scene::Scene<2>&, const scene::Problem<2>&);
-template Outcome<2> with_quantity(Outcome<2>, const scene::Scene<2>&, std::vector<Asked<2>>&, std::size_t,
-                                  const Examined<2>&, bool);
+template QuantityInterval unknown(const Asked<2>&);
+template QuantityInterval on_last_level(const Outcome<2>&, const scene::Scene<2>&, Asked<2>&, QuantityInterval,
+                                        const Examined<2>&, bool);
+template Targets targets(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
+template std::vector<std::size_t> due(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
+template std::vector<std::size_t> missing(const Outcome<2>&, const std::vector<Asked<2>>&);
+template const Indicator& steering(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
 template bool is_wanting(const Asked<2>&, const QuantityInterval&);
 
 }  // namespace bracket::bounds

@@ -62,70 +62,6 @@ template <int dim> Outcome<dim> disowned(Outcome<dim> outcome) {
   return outcome;
 }
 
-/// Which of the targets asked for are met.
-struct Targets {
-  bool any = false;        ///< whether any was asked for
-  bool energy = true;      ///< met, or not asked for
-  bool quantities = true;  ///< likewise, of all
-  bool met() const { return any && energy && quantities; }
-};
-template <int dim>
-Targets targets(const Outcome<dim>& outcome, const scene::Refine& refine, const std::vector<Asked<dim>>& asked) {
-  Targets result;
-  result.any = refine.target > 0;
-  result.energy = refine.target == 0 || outcome.relative_error_bound <= refine.target;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const auto& quantity = asked[i].quantity;
-    result.any = result.any || quantity.target > 0 || quantity.absolute > 0;
-    result.quantities = result.quantities && !is_wanting(asked[i], i < outcome.quantities.size() ? outcome.quantities[i]
-                                                                                                 : QuantityInterval{});
-  }
-  return result;
-}
-
-/// Whether a quantity was computed on the last level.
-template <int dim> bool is_known(const Outcome<dim>& outcome, std::size_t which) {
-  return which < outcome.quantities.size() && !outcome.quantities[which].levels.empty() &&
-         outcome.quantities[which].levels.back().cells == outcome.levels.back().cells;
-}
-
-/// The quantities that are to be computed on the last level although it may not be the last of the run.
-template <int dim>
-std::vector<std::size_t> due(const Outcome<dim>& outcome, const scene::Refine& refine,
-                             const std::vector<Asked<dim>>& asked) {
-  const bool all = refine.all_levels || outcome.unstrained;
-  const bool energy_met = targets(outcome, refine, asked).energy;
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    if (is_known(outcome, i)) continue;
-    const bool never = i >= outcome.quantities.size() || outcome.quantities[i].levels.empty();
-    const double grown =
-        never ? 4.0 : static_cast<double>(outcome.levels.back().cells) / outcome.quantities[i].levels.back().cells;
-    const bool awaited = energy_met && !never && is_wanting(asked[i], outcome.quantities[i]);
-    if (all || asked[i].quantity.name == refine.goal || grown >= (awaited ? 2 : 4)) result.push_back(i);
-  }
-  return result;
-}
-
-/// All that are not known on it.
-template <int dim> std::vector<std::size_t> missing(const Outcome<dim>& outcome, const std::vector<Asked<dim>>& asked) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < asked.size(); ++i)
-    if (!is_known(outcome, i)) result.push_back(i);
-  return result;
-}
-
-/// The indicator by which cells are marked: the energy's, or that of the goal where it has one.
-template <int dim>
-const Indicator& steering(const Outcome<dim>& outcome, const scene::Refine& refine,
-                          const std::vector<Asked<dim>>& asked) {
-  for (const auto& one : asked)
-    if (!refine.goal.empty() && one.quantity.name == refine.goal && one.indicator.sum > 0 &&
-        one.indicator.cell.size() == outcome.indicator.cell.size())
-      return one.indicator;
-  return outcome.indicator;
-}
-
 /// Pressures that are linear on each edge reach less far than those of the displacements, which act at the vertices: a
 /// finer mesh may balance what a coarse one cannot.
 template <int dim> bool finer_mesh_may_help(const Examined<dim>& examined) {
@@ -232,17 +168,22 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
   const auto end = [&](Outcome<dim> so_far, const std::string& why, bool early) {
     return ended(std::move(so_far), refine, asked, why, early);
   };
-  const auto with_quantities = [&](Outcome<dim> so_far, const std::vector<std::size_t>& which,
-                                   const Examined<dim>& examined, bool one_problem) {
+  // Whatever fails on the way, what is known stays.
+  const auto compute = [&](const std::vector<std::size_t>& which, const Examined<dim>& examined, bool one_problem) {
     if (observer.stage && !which.empty()) observer.stage("quantities");
-    for (const std::size_t i : which) so_far = with_quantity(std::move(so_far), scene, asked, i, examined, one_problem);
-    return so_far;
+    for (const std::size_t i : which) {
+      outcome.quantities[i] = on_last_level(outcome, scene, asked[i], outcome.quantities[i], examined, one_problem);
+      const double seconds = outcome.quantities[i].levels.back().seconds;
+      outcome.levels.back().seconds.quantities += seconds;
+      outcome.levels.back().seconds.total += seconds;
+    }
   };
   try {
     Meshed<dim> meshed = first();
     size = fmt::format("{} cells", count_of_cells(meshed));
     meshed.problem = balanced(std::move(meshed.problem), scene.solve.degree);
     asked = bounds::asked(scene, meshed.problem);
+    for (const Asked<dim>& one : asked) outcome.quantities.push_back(unknown(one));
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
@@ -268,9 +209,9 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         if (!objected.reason.empty())
           return end(objected.guaranteed ? std::move(outcome) : disowned(std::move(outcome)), objected.reason, true);
         outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
-        outcome = with_quantities(std::move(outcome), due(outcome, refine, asked), examined, one_problem);
+        compute(due(outcome, refine, asked), examined, one_problem);
         const bool done = examined.unstrained || targets(outcome, refine, asked).met();
-        if (done) outcome = with_quantities(std::move(outcome), missing(outcome, asked), examined, one_problem);
+        if (done) compute(missing(outcome, asked), examined, one_problem);
         if (const std::string why = contradiction(outcome.quantities); !why.empty())
           return end(disowned(std::move(outcome)), why, true);
         if (observer.level) observer.level(outcome);
@@ -280,7 +221,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       }
       if (observer.stop.stop_requested()) return end(std::move(outcome), "stopped on request", true);
       const auto finished = [&](const std::string& why) {
-        if (bracketed) outcome = with_quantities(std::move(outcome), missing(outcome, asked), examined, one_problem);
+        if (bracketed) compute(missing(outcome, asked), examined, one_problem);
         if (const std::string wrong = contradiction(outcome.quantities); !wrong.empty())
           return end(disowned(std::move(outcome)), wrong, true);
         return end(std::move(outcome), why, false);
