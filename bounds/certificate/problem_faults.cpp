@@ -266,6 +266,14 @@ std::string contact_fault(const Problem<2>& problem) {
   return "";
 }
 
+/// What acts on a contact line beside its pressure is a perturbation's opening load, and nothing else.
+std::string load_fault(const Problem<2>& first) {
+  for (std::size_t f = 0; f < first.facets.size(); ++f)
+    if (first.facets[f].support == Support::contact && scene::is_loaded(first.facets[f]))
+      return fmt::format("boundary facet {} is in contact and loaded", f);
+  return "";
+}
+
 /// Facets that meet at a vertex of the first mesh must prescribe the same there.
 std::string support_fault(const Problem<2>& first) {
   std::vector<std::array<int, 2>> at(first.mesh.vertices.size(), {-1, -1});  // the facet that ends there, and begins
@@ -284,50 +292,6 @@ std::string support_fault(const Problem<2>& first) {
   return "";
 }
 
-/// What is added to the data must fit the first mesh, be finite, and be traces of finite energy: displacements that are
-/// one at a vertex, and ψ that does not jump along a contact line.
-std::string perturbation_fault(const Problem<2>& problem) {
-  const auto& [by, loads, kinematics] = problem.perturbed;
-  if (!by) return "";
-  const Problem<2>& first = scene::first_of(problem);
-  if (&first == &problem) return "a perturbed problem does not know its first mesh";
-  if (by->force.size() != first.bodies.size() || by->facets.size() != first.facets.size() ||
-      by->contact.size() != first.contact.size() || by->contact_of != scene::contacts_by_first(first))
-    return "perturbation and first mesh differ in number";
-  const auto finite = [](const scene::TwofoldVector<2>& x) { return x.value.allFinite() && x.rest.allFinite(); };
-  bool all = std::isfinite(loads) && std::isfinite(kinematics);
-  for (const auto& force : by->force) all = all && force.allFinite();
-  for (const auto& facet : by->facets)
-    all = all && std::ranges::all_of(facet.traction, finite) && all_finite(facet.pressure) &&
-          std::ranges::all_of(facet.displacement, finite) && all_finite(facet.normal_displacement);
-  for (const auto& contact : by->contact)
-    all = all && all_finite(contact.gap) && all_finite(contact.opening) && std::ranges::all_of(contact.first, finite) &&
-          std::ranges::all_of(contact.second, finite);
-  if (!all) return "the perturbation is not finite";
-
-  std::vector<std::array<int, 2>> at(first.mesh.vertices.size(), {-1, -1});  // the facet that ends there, and begins
-  for (std::size_t f = 0; f < first.facets.size(); ++f)
-    for (int i = 0; i < 2; ++i) at[first.mesh.boundary[f].vertices[i]][1 - i] = static_cast<int>(f);
-  for (const auto& [ends, begins] : at) {
-    if (ends < 0 || begins < 0) continue;
-    const auto &in = first.facets[ends], &out = first.facets[begins];
-    const bool clamped = in.support == Support::fixed && out.support == Support::fixed;
-    const bool in_line = in.support == Support::sliding && out.support == Support::sliding &&
-                         (in.normal == out.normal || in.normal == -out.normal);
-    const auto &coming = by->facets[ends], &going = by->facets[begins];
-    const double along = in.normal == -out.normal ? -1 : 1;
-    if ((clamped || in_line) && (coming.displacement[1] != going.displacement[0] ||
-                                 (!clamped && coming.normal_displacement[1] != along * going.normal_displacement[0])))
-      return fmt::format("the perturbation of the displacements jumps between boundary facets {} and {}", ends, begins);
-    const int one = by->contact_of[ends], other = by->contact_of[begins];
-    if (one < 0 || other < 0 || first.contact[one].pair != first.contact[other].pair) continue;
-    const auto &before = by->contact[one], &after = by->contact[other];
-    if (before.gap[2] != after.gap[0] || before.first[1] != after.first[0] || before.second[1] != after.second[0])
-      return fmt::format("the perturbation of the gap jumps between boundary facets {} and {}", ends, begins);
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string problem_fault(const Problem<2>& problem) {
@@ -342,6 +306,7 @@ std::string problem_fault(const Problem<2>& problem) {
     if (std::string fault = contact_fault(*one); !fault.empty()) return fault;
     if (&first == &problem) break;
   }
+  if (std::string fault = load_fault(first); !fault.empty()) return fault;
   if (std::string fault = support_fault(first); !fault.empty()) return fault;
   return perturbation_fault(problem);
 }

@@ -165,5 +165,56 @@ TEST(Links, leave_the_motions_that_they_do_not_act_on) {
   EXPECT_EQ(count(held, {1}), 1);
 }
 
+/// The certificate of a functional, once its perturbation has been changed.
+void expect_functional_refused(const std::function<void(scene::Perturbation<2>&)>& change, const std::string& named) {
+  const Problem<2> problem = refined();
+  scene::Perturbation<2> by = scene::no_perturbation(problem);
+  for (auto& contact : by.contact) contact.gap = {1, 1, 1};
+  const auto u = primal::solve(problem, 2).displacement;
+  const auto stress = dual::solve(problem).stress;
+  const auto certified = [&](double loads, double kinematics) {
+    auto shared = std::make_shared<const scene::Perturbation<2>>(by);
+    return certify_functional(scene::perturbed(problem, std::move(shared), loads, kinematics), u, stress);
+  };
+  ASSERT_TRUE(certified(0.125, 0.125).valid) << certified(0.125, 0.125).reason;
+  EXPECT_FALSE(certified(0.125, 0.25).valid);  // not one functional
+  EXPECT_FALSE(certified(0, 0).valid);
+  change(by);
+  const FunctionalBound bound = certified(0.125, 0.125);
+  EXPECT_FALSE(bound.valid) << named;
+  EXPECT_NE(bound.reason.find(named), std::string::npos) << bound.reason;
+}
+
+TEST(ProblemFault, in_perturbations) {
+  const Problem<2> problem = refined();
+  const Problem<2>& first = scene::first_of(problem);
+  const scene::TwofoldVector<2> one{{1, 0}, {0, 0}};
+  expect_functional_refused([](auto& by) { by.force.pop_back(); }, "differ in number");
+  expect_functional_refused([](auto& by) { by.force[0][1] = NAN; }, "not finite");
+  expect_functional_refused([](auto& by) { by.contact[0].gap[1] = INFINITY; }, "not finite");
+  expect_functional_refused(
+      [&](auto& by) {
+        by.facets[facet_with(first, Support::contact)].traction = {one, one};
+      },
+      "supported or in contact");
+  expect_functional_refused(
+      [&](auto& by) {
+        by.facets[facet_with(first, Support::sliding)].pressure = {1, 1};
+      },
+      "supported or in contact");
+  expect_functional_refused(
+      [&](auto& by) {
+        by.facets[facet_with(first, Support::fixed)].displacement = {one, one};
+      },
+      "displacements jumps");
+  expect_functional_refused([](auto& by) { by.contact[0].gap = {1, 1, 2}; }, "gap jumps");
+}
+
+TEST(ProblemFault, a_load_on_a_contact) {
+  expect_refused(
+      sound(), [](Problem<2>& p) { p.facets[facet_with(p, Support::contact)].traction[0] = Vector<2>(0, 1); },
+      "is in contact and loaded");
+}
+
 }  // namespace
 }  // namespace bracket::bounds
