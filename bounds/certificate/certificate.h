@@ -29,8 +29,8 @@ Certificate certify(const scene::Problem<dim>& problem, const scene::Displacemen
 /// With f > 0 it bounds J from above, with f < 0 from below.
 struct FunctionalBound {
   bool valid = false;
-  std::string reason;     ///< if not: one line
-  double above = 0;       ///< ≥ f J
+  std::string reason;  ///< if not: one line
+  double above = 0;    ///< ≥ f J
 };
 /// Along motions that nothing holds the loads of the functional must be in balance; what they lack by rounding is taken
 /// off them, and so from what J means.

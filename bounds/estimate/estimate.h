@@ -76,10 +76,10 @@ PlainEnergies plain_energies(const scene::Problem<dim>& problem, const scene::Di
 struct Bracket {
   double lower = 0;
   double upper = 0;
-  double relative_width = 0;           ///< width by the larger of |lower|, |upper|
-  double error_bound = 0;              ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
+  double relative_width = 0;  ///< width by the larger of |lower|, |upper|
+  double error_bound = 0;     ///< √(2 width) ≥ ‖u − u_h‖_A and ≥ ‖σ − λ_h‖_{C⁻¹}
   double mean_stress_error_bound = 0;  ///< √T ≥ ‖σ − ½(σ(u_h) + λ_h)‖_{C⁻¹}, T = ½ width + ½ ∫ p (g − r(u_h))
-  double relative_error_bound = 0;     ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
+  double relative_error_bound = 0;  ///< error_bound / ‖u_h‖_A; infinite where u_h does not deform
 };
 /// \param strain_energy ½ A(u_h,u_h), or less   \param contact κ = ∫ p (g − r(u_h)), or more
 Bracket bracket(double lower, double upper, double strain_energy, double contact);
