@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <stdexcept>
 
 #include "dual/dual.h"
@@ -35,7 +36,13 @@ namespace primal {
 
 template <int dim> void check_prescribed(const scene::Problem<dim>&, int) {}
 
-template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>&) {
+template <int dim> struct Solver<dim>::Factorised { int degree; };
+template <int dim>
+Solver<dim>::Solver(const scene::Problem<dim>&, int degree, bool)
+    : factorised_(std::make_shared<const Factorised>(Factorised{degree})) {}
+
+template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&) const {
+  const int degree = factorised_->degree;
   const auto& mesh = problem.mesh;
   Result<dim> result;
   result.displacement.degree = degree;
@@ -48,13 +55,16 @@ template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, int deg
 }
 
 template void check_prescribed(const scene::Problem<2>&, int);
-template Result<2> solve(const scene::Problem<2>&, int, const std::vector<char>&);
+template class Solver<2>;
 
 }  // namespace primal
 
 namespace dual {
 
-template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>&) {
+template <int dim> struct Solver<dim>::Factorised {};
+template <int dim> Solver<dim>::Solver(const scene::Problem<dim>&) {}
+
+template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&) const {
   Result<dim> result;
   std::array<scene::Voigt<dim>, 9> cell;
   cell.fill({0, strain(problem) / problem.bodies[0].material.compliance()(1, 1), 0});
@@ -68,7 +78,7 @@ Result<dim> uzawa(const scene::Problem<dim>&, const scene::Stress<dim>&, const s
   throw std::logic_error("no scene of these tests asks for it");
 }
 
-template Result<2> solve(const scene::Problem<2>&, const std::vector<char>&);
+template class Solver<2>;
 template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&, const std::function<bool()>&);
 
 }  // namespace dual
