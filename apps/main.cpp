@@ -39,6 +39,12 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void add_folder(CLI::App* command, std::filesystem::path& folder, const std::string& otherwise) {
+  command->add_option("-o", folder, fmt::format("Folder for the results (default: {})", otherwise))
+      ->type_name("DIR")
+      ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
+}
+
 /// The command mesh, which fills the options.
 CLI::App* add_mesh(CLI::App& app, bracket::apps::MeshOptions& options) {
   CLI::App* command = app.add_subcommand("mesh", "Write a scene's mesh, for another program");
@@ -57,6 +63,19 @@ CLI::App* add_mesh(CLI::App& app, bracket::apps::MeshOptions& options) {
   return command;
 }
 
+/// The command assess, which fills the options.
+CLI::App* add_assess(CLI::App& app, bracket::apps::AssessOptions& options) {
+  CLI::App* command = app.add_subcommand("assess", "The error of another program's displacement, between two bounds");
+  command->add_option("SCENE", options.scene, "The scene file (TOML)")->required();
+  command->add_option("FIELD", options.field, "Nodal displacements: .csv (x, y, ux, uy), .vtu (VTK) or .frd (CalculiX)")
+      ->required();
+  add_folder(command, options.folder, "the scene's name + .assess");
+  add_overrides(command, options.overrides);
+  command->add_flag("--json", options.json, "Print the report as JSON alone");
+  command->add_flag("--quiet", options.quiet, "Print the interval and what goes with it alone");
+  return command;
+}
+
 Ending perform(int argc, char** argv) {
   CLI::App app("Energies of elastic bodies in frictionless contact between two guaranteed bounds.", "bracket");
   app.footer(statuses);
@@ -68,14 +87,9 @@ Ending perform(int argc, char** argv) {
     command->add_option("SCENE", options.scene, "The scene file (TOML)")->required();
     add_overrides(command, options.overrides);
   };
-  const auto add_folder = [&options](CLI::App* command, const std::string& otherwise) {
-    command->add_option("-o", options.folder, fmt::format("Folder for the results (default: {})", otherwise))
-        ->type_name("DIR")
-        ->check([](const std::string& name) { return name.empty() ? "expected the name of a folder" : ""; });
-  };
   CLI::App* run = app.add_subcommand("run", "Solve a scene and report the energy between its bounds");
   add_scene(run);
-  add_folder(run, "the scene's name + .out");
+  add_folder(run, options.folder, "the scene's name + .out");
   run->add_flag("--json", options.json, "Print the report as JSON alone");
   run->add_flag("--quiet", options.quiet, "Print the interval alone");
   run->add_flag("--all-levels", options.all_levels, "Quantities on all levels, not on the last and some before");
@@ -84,14 +98,14 @@ Ending perform(int argc, char** argv) {
 
   CLI::App* study = app.add_subcommand("study", "Error against run time: uniform and adaptive, degree 1 and 2");
   add_scene(study);
-  add_folder(study, "the scene's name + .study");
+  add_folder(study, options.folder, "the scene's name + .study");
 
   CLI::App* extremes = app.add_subcommand("extremes", "The interval as moduli, cells, units, loads become extreme");
   add_scene(extremes);
-  add_folder(extremes, "the scene's name + .extremes");
+  add_folder(extremes, options.folder, "the scene's name + .extremes");
 
   CLI::App* paper = app.add_subcommand("paper", "The theorems of Haslinger & Hlavacek 1981 as tables");
-  add_folder(paper, "bracket.paper");
+  add_folder(paper, options.folder, "bracket.paper");
 
   CLI::App* check = app.add_subcommand("check", "Everything short of solving: data, mesh quality, solvability");
   add_scene(check);
@@ -100,6 +114,9 @@ Ending perform(int argc, char** argv) {
 
   bracket::apps::MeshOptions to_write;
   CLI::App* write = add_mesh(app, to_write);
+
+  bracket::apps::AssessOptions to_assess;
+  CLI::App* assess = add_assess(app, to_assess);
 
   std::filesystem::path mesh;
   CLI::App* info = app.add_subcommand("info", "Bodies, boundary parts and quality of a mesh file");
@@ -119,10 +136,11 @@ Ending perform(int argc, char** argv) {
   if (paper->parsed()) bracket::apps::paper(options.folder);
   if (check->parsed()) bracket::apps::check(options.scene, options.overrides, as_json);
   if (write->parsed()) bracket::apps::mesh(to_write);
+  if (assess->parsed()) return bracket::apps::assess(to_assess);
   if (info->parsed()) bracket::apps::info(mesh, as_json);
   if (app.get_subcommands().empty())
     throw Error(Status::input,
-                "expected a command: run, study, extremes, paper, check, mesh or info (see bracket --help)");
+                "expected a command: run, study, extremes, paper, check, mesh, assess or info (see bracket --help)");
   return {};
 }
 

@@ -79,6 +79,21 @@ struct MeshOptions {
 ///        would have more than refine.max_cells
 void mesh(const MeshOptions& options);
 
+struct AssessOptions {
+  std::filesystem::path scene;
+  std::filesystem::path field;   ///< displacements of another program: .csv, .vtu or .frd
+  std::filesystem::path folder;  ///< for the results; empty: the scene's stem + ".assess" in the current directory
+  std::vector<std::string> overrides;  ///< "key=value"
+  bool json = false;                   ///< print the report as JSON alone
+  bool quiet = false;                  ///< print what is first alone
+};
+
+/// Prints the error of a displacement between its bounds, and writes assess.json, assess.vtu and error.svg. Ctrl-C ends
+/// it after the level that it is in.
+/// \return as bounds::assess() ended
+/// \throw scene::Error as scene::read_field() and bounds::assess()
+Ending assess(const AssessOptions& options);
+
 /// Prints bodies, boundary parts and quality of a mesh file.
 /// \throw scene::Error (input, mesh)
 void info(const std::filesystem::path& mesh, bool as_json);

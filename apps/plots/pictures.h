@@ -6,6 +6,7 @@
 
 #include "apps/plots/picture.h"
 #include "apps/report/report.h"
+#include "bounds/assess.h"
 
 namespace bracket::apps {
 
@@ -18,6 +19,8 @@ Picture closing_picture(const Report& report);  ///< the bounds about the middle
 std::vector<Picture> quantity_pictures(const Report& report);
 Picture error_picture(const Report& report);    ///< the guaranteed relative error against cells and seconds
 Picture mesh_picture(const Report& report);     ///< the mesh coloured by the density of the indicator
+/// Where a displacement from another program is wrong: its mesh coloured by the density of its squared error.
+Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment);
 Picture stress_picture(const Report& report);   ///< the deformed bodies coloured by a stress
 Picture contact_picture(const Report& report);  ///< pressures and gap along each contact line
 

@@ -56,7 +56,15 @@ std::vector<Line> contact_lines(const scene::Problem<2>& problem) {
   return lines;
 }
 
-/// The boundary of all bodies, moved by `factor` times u_h.
+/// The boundary of all bodies.
+std::vector<Line> outline(const scene::Mesh<2>& mesh) {
+  std::vector<Line> lines;
+  for (const auto& facet : mesh.boundary)
+    lines.push_back({mesh.vertices[facet.vertices[0]], mesh.vertices[facet.vertices[1]]});
+  return lines;
+}
+
+/// The same, moved by `factor` times u_h.
 std::vector<Line> outline(const bounds::Outcome<2>& run, double factor) {
   const scene::Mesh<2>& mesh = run.problem.mesh;
   std::vector<Line> lines;
@@ -110,15 +118,14 @@ std::array<Tile, 6> stress_tiles(const bounds::Outcome<2>& run, int cell, double
   return tiles;
 }
 
-}  // namespace
-
-Picture mesh_picture(const Report& report) {
-  const scene::Problem<2>& problem = report.outcome.problem;
+/// A mesh coloured by the density of what its cells have.
+Picture density_picture(const char* name, std::string caption, const char* label, const scene::Problem<2>& problem,
+                        const std::vector<double>& of_cell, const std::string& units) {
   const scene::Mesh<2>& mesh = problem.mesh;
   std::vector<Tile> tiles;
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     const auto& [a, b, c] = mesh.cells[cell];
-    const auto density = static_cast<float>(report.outcome.indicator.cell[cell] / scene::volume(mesh, cell));
+    const auto density = static_cast<float>(of_cell[cell] / scene::volume(mesh, cell));
     tiles.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, {density, density, density}});
   }
   Raster raster = rasterise(tiles, longest);
@@ -130,19 +137,33 @@ Picture mesh_picture(const Report& report) {
   for (const auto& [a, b] : mesh.edges)
     if ((mesh.vertices[a] - mesh.vertices[b]).norm() > shortest_edge * raster.pixel)
       edges.push_back({mesh.vertices[a], mesh.vertices[b]});
-  Picture picture = canvas("mesh",
-                           "The mesh coloured by the density of the error indicator: what each cell adds to the width, "
-                           "by its area. Contact lines are red; edges too short to be seen are left out.",
-                           raster, report.scene.units);
+  Picture picture = canvas(name, std::move(caption), raster, units);
   if (lowest > 0 && highest > lowest)
     picture.script += fmt::format("set logscale cb\nset cbrange [{}:{}]\nset format cb '10^{{%L}}'\n", lowest, highest);
-  picture.script += "set cblabel 'indicator by area'\nplot " + image_item(raster) +
+  picture.script += fmt::format("set cblabel '{}'\nplot ", label) + image_item(raster) +
                     ", '-' with lines lw 0.4 lc rgb '#70ffffff' notitle, '-' with lines lw 1 lc rgb '#333333' notitle";
   if (!problem.contact.empty()) picture.script += ", '-' with lines lw 2.5 lc rgb '#ff2f5f' title 'contact'";
   picture.script += '\n';
-  picture.script += image_bytes(raster) + "\n" + line_data(edges) + line_data(outline(report.outcome, 0));
+  picture.script += image_bytes(raster) + "\n" + line_data(edges) + line_data(outline(mesh));
   if (!problem.contact.empty()) picture.script += line_data(contact_lines(problem));
   return picture;
+}
+
+}  // namespace
+
+Picture mesh_picture(const Report& report) {
+  return density_picture("mesh",
+                         "The mesh coloured by the density of the error indicator: what each cell adds to the width, "
+                         "by its area. Contact lines are red; edges too short to be seen are left out.",
+                         "indicator by area", report.outcome.problem, report.outcome.indicator.cell,
+                         report.scene.units);
+}
+
+Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment) {
+  return density_picture("error",
+                         "Where the displacement is wrong: its mesh coloured by what each cell has of the squared "
+                         "error, by its area. Contact lines are red; edges too short to be seen are left out.",
+                         "squared error by area", assessment.field.problem, assessment.cell, scene.units);
 }
 
 Picture stress_picture(const Report& report) {
@@ -163,7 +184,7 @@ Picture stress_picture(const Report& report) {
   if (highest > 0) picture.script += fmt::format("set cbrange [0:{}]\n", highest);
   picture.script += "set cblabel 'largest shear stress'\nplot '-' with lines lw 0.8 lc rgb '#aaaaaa' notitle, " +
                     image_item(raster) + ", '-' with lines lw 1 lc rgb '#333333' notitle\n" +
-                    line_data(outline(run, 0)) + image_bytes(raster) + "\n" + line_data(outline(run, factor));
+                    line_data(outline(run.problem.mesh)) + image_bytes(raster) + "\n" + line_data(outline(run, factor));
   return picture;
 }
 

@@ -7,6 +7,8 @@
 
 namespace bracket::apps {
 
+std::string name(scene::Status status);  ///< as JSON has it
+
 /// What every file of results begins with: schema, program and, where there is one, the scene.
 nlohmann::ordered_json heading();
 nlohmann::ordered_json heading(const scene::Scene<2>& scene);

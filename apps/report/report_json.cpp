@@ -17,19 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string name(scene::Status status) {
-  switch (status) {
-    case scene::Status::done: return "done";
-    case scene::Status::internal: return "internal_error";
-    case scene::Status::input: return "input_error";
-    case scene::Status::mesh: return "mesh_error";
-    case scene::Status::ill_posed: return "ill_posed";
-    case scene::Status::budget: return "budget_spent";
-    case scene::Status::not_guaranteed: return "not_guaranteed";
-  }
-  return {};
-}
-
 Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscillation) {
   Json json = {{"tolerance", bounds::Checks::tolerance}};
   for (const bounds::Check& check : checks.all()) {
@@ -45,6 +32,19 @@ Json checks_json(const bounds::Checks& checks, const scene::Oscillation& oscilla
 Json plain_json(const bounds::Level& level) { return {{"lower", level.plain.lower}, {"upper", level.plain.upper}}; }
 
 }  // namespace
+
+std::string name(scene::Status status) {
+  switch (status) {
+    case scene::Status::done: return "done";
+    case scene::Status::internal: return "internal_error";
+    case scene::Status::input: return "input_error";
+    case scene::Status::mesh: return "mesh_error";
+    case scene::Status::ill_posed: return "ill_posed";
+    case scene::Status::budget: return "budget_spent";
+    case scene::Status::not_guaranteed: return "not_guaranteed";
+  }
+  return {};
+}
 
 Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION_STRING}}; }
 

@@ -82,10 +82,8 @@ std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
   return supports;
 }
 
-namespace {
-
-PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                 const std::vector<VertexSupport>& supports) {
+PlainField plain_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                       const std::vector<VertexSupport>& supports) {
   PlainField field{displacement.vertex, {}};
   for (std::size_t v = 0; v < supports.size(); ++v) {
     const auto& [end, t, added] = supports[v].held;
@@ -106,6 +104,8 @@ PlainField plain(const scene::Problem<2>& problem, const scene::Displacement<2>&
     if (problem.facets[f].support == Support::fixed) field.bubble[mesh.boundary[f].edge].setZero();
   return field;
 }
+
+namespace {
 
 /// How a vertex can move along d: not at all where the length is 0.
 Vector<2> way(const VertexSupport& support, const Vector<2>& d) {
@@ -159,7 +159,7 @@ bool make_way_between(const scene::Problem<2>& problem, const std::vector<Vertex
 AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                  const std::vector<VertexSupport>& supports) {
   constexpr int most = 100;
-  PlainField field = plain(problem, displacement, supports);
+  PlainField field = plain_field(problem, displacement, supports);
   for (int sweep = 0; sweep < most; ++sweep) {
     bool settled = true;
     for (const auto& pair : problem.contact)

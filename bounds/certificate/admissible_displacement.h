@@ -176,6 +176,10 @@ std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::v
   return r;
 }
 
+/// Displacements onto the supports: what is prescribed on Γ_u is set, up to rounding; the rest shift() does.
+PlainField plain_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                       const std::vector<VertexSupport>& supports);
+
 /// The displacements of a solution, moved by no more than rounding, so that they are in K with certainty.
 /// \return nothing where the prescribed displacements leave no room; then `reason`
 struct AdmissibleField {
@@ -190,13 +194,13 @@ template <class Number> struct FieldEnergy {
   Number total;   ///< L(v)
 };
 
-/// The strain energy of one cell.
+/// The strain at the corners of a cell: xx, yy and twice xy.
 /// \param shifts of all vertices, as shift() gives them: they are added to the plain displacements
 /// \param bubbles of all edges, moved onto the supports; empty for degree 1
 template <class Number>
-Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
-                          const std::vector<Vector2<Number>>& shifts, const std::vector<Vector2<Number>>& bubbles,
-                          int cell) {
+std::array<std::array<Number, 3>, 3> cell_strain(const scene::Problem<2>& problem, const PlainField& field,
+                                                 const std::vector<Vector2<Number>>& shifts,
+                                                 const std::vector<Vector2<Number>>& bubbles, int cell) {
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
   const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
@@ -220,7 +224,16 @@ Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Nu
     }
     strain[m] = {xx, yy, xy};
   }
-  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); }, strain, doubled);
+  return strain;
+}
+
+/// The strain energy of one cell. \param shifts, bubbles as for cell_strain()
+template <class Number>
+Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
+                          const std::vector<Vector2<Number>>& shifts, const std::vector<Vector2<Number>>& bubbles,
+                          int cell) {
+  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); },
+                  cell_strain(problem, field, shifts, bubbles, cell), doubled_area(corners<Number>(problem, cell)));
 }
 
 /// A correction of the first mesh's loads, by its true amount.

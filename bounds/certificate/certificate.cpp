@@ -3,88 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
-#include "bounds/certificate/arithmetic.h"
-#include "bounds/certificate/equilibrate.h"
 #include "bounds/certificate/functional.h"
-#include "bounds/certificate/problem_faults.h"
+#include "bounds/certificate/sides.h"
 
 namespace bracket::bounds {
 
 namespace {
-
-/// A comparison with what is not a number is false, and might pass for a pressure of zero.
-std::string field_fault(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                        const scene::Stress<2>& stress) {
-  const auto finite = [](const auto& value) { return value.allFinite(); };
-  if (displacement.degree != 1 && displacement.degree != 2) return "the displacements are neither linear nor quadratic";
-  const auto& mesh = problem.mesh;
-  if (displacement.vertex.size() != mesh.vertices.size() ||
-      displacement.edge.size() != (displacement.degree == 2 ? mesh.edges.size() : 0) ||
-      stress.cell.size() != mesh.cells.size())
-    return "the fields are not those of this mesh";
-  if (!std::ranges::all_of(displacement.vertex, finite) || !std::ranges::all_of(displacement.edge, finite))
-    return "the displacements are not finite";
-  for (const auto& cell : stress.cell)
-    if (!std::ranges::all_of(cell, finite)) return "the stresses are not finite";
-  return "";
-}
-
-/// What one of the two threads found.
-struct Below {
-  std::string reason;  ///< if there is no bound
-  Enclosure energy;    ///< S
-  EdgeLoads<Enclosure> loads;
-};
-struct Above {
-  std::string reason;
-  FieldEnergy<Enclosure> energy;
-  std::vector<VertexSupport> supports;
-  PlainField field;
-};
-
-Below from_stress(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
-                  const scene::Stress<2>& stress) {
-  if (std::string fault = arithmetic_fault(); !fault.empty()) return {fault, {}, {}};
-  auto [loads, reason] = balanced<Enclosure, LongSum>(problem, corrections, plain_loads(problem, stress));
-  if (!loads) return {reason, {}, {}};
-  const Enclosure energy = stress_energy<Enclosure, LongSum>(problem, *loads);
-  return {"", energy, std::move(*loads)};
-}
-
-Above from_displacement(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
-                        const scene::Displacement<2>& displacement) {
-  Above above{"", {}, vertex_supports(problem), {}};
-  auto [field, reason] = admissible_field(problem, displacement, above.supports);
-  above.reason = reason;
-  if (!field) return above;
-  above.energy = field_energy<Enclosure, LongSum>(problem, above.supports, *field, corrections);
-  above.field = std::move(*field);
-  return above;
-}
-
-/// Both fields as they have been moved, or why there are none.
-struct Sides {
-  std::string reason;
-  Above above;
-  Below below;
-};
-Sides both_sides(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
-                 const scene::Displacement<2>& displacement, const scene::Stress<2>& stress) {
-  auto other = std::async(std::launch::async, [&] { return from_stress(problem, corrections, stress); });
-  Above above = from_displacement(problem, corrections, displacement);
-  Below below = other.get();
-  std::string reason = below.reason.empty() ? above.reason : below.reason;
-  return {std::move(reason), std::move(above), std::move(below)};
-}
-
-std::string fault_of(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                     const scene::Stress<2>& stress) {
-  if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
-  if (std::string fault = problem_fault(problem); !fault.empty()) return fault;
-  return field_fault(problem, displacement, stress);
-}
 
 /// The corrections of both kinds: base + factor · added, of the same facets.
 std::vector<Corrected<Enclosure>> sum(std::vector<Corrected<Enclosure>> base, double factor,

@@ -21,6 +21,14 @@ template <class Number> struct ElasticForm {
     const Number second = s[1] - l[0] * s[0], third = s[2] - l[1] * s[0] - l[2] * second;
     return (s[0] * s[0] / d[0] + second * second / d[1] + third * third / d[2]) / Number(2);
   }
+  /// The energy of the stress Ce − s, from L⁻¹(Ce − s) = D Lᵀe − L⁻¹s: what a large modulus has in common cancels
+  /// first.
+  Number difference_energy(const std::array<Number, 3>& e, const std::array<Number, 3>& s) const {
+    const Number second = s[1] - l[0] * s[0], third = s[2] - l[1] * s[0] - l[2] * second;
+    const std::array<Number, 3> rest = {d[0] * (e[0] + l[0] * e[1] + l[1] * e[2]) - s[0],
+                                        d[1] * (e[1] + l[2] * e[2]) - second, d[2] * e[2] - third};
+    return (rest[0] * rest[0] / d[0] + rest[1] * rest[1] / d[1] + rest[2] * rest[2] / d[2]) / Number(2);
+  }
 };
 
 template <class Number> ElasticForm<Number> elastic_form(const scene::Material<2>& material) {
@@ -54,10 +62,10 @@ template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const sce
 
 /// ∫ of the energy over a triangle of a linear field, given at the corners.
 /// \param energy of a field's value   \param doubled_area of the triangle
-template <class Number, class Energy>
-Number integral(const Energy& energy, const std::array<std::array<Number, 3>, 3>& corners, const Number& doubled_area) {
-  std::array<Number, 3> sum;
-  for (int i = 0; i < 3; ++i) sum[i] = corners[0][i] + corners[1][i] + corners[2][i];
+template <class Number, std::size_t n, class Energy>
+Number integral(const Energy& energy, const std::array<std::array<Number, n>, 3>& corners, const Number& doubled_area) {
+  std::array<Number, n> sum;
+  for (std::size_t i = 0; i < n; ++i) sum[i] = corners[0][i] + corners[1][i] + corners[2][i];
   return doubled_area / Number(24) * (energy(corners[0]) + energy(corners[1]) + energy(corners[2]) + energy(sum));
 }
 

@@ -101,17 +101,27 @@ bool is_non_negative(const std::vector<std::array<double, 3>>& weight) {
 
 }  // namespace
 
-Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
-  const ContactWeights weights = contact_weights(scene, first, quantity);
+Functionals<2> contact_work_functionals(const Problem<2>& problem, const std::vector<std::array<double, 3>>& below,
+                                        const std::vector<std::array<double, 3>>& above) {
   const auto with = [&](const std::vector<std::array<double, 3>>& weight) {
-    Perturbation<2> perturbation = scene::no_perturbation(first);
-    for (std::size_t j = 0; j < weight.size(); ++j)
-      for (int i = 0; i < 3; ++i) perturbation.contact[j].gap[i] = 0.0 - weight[j][i];
+    Perturbation<2> perturbation = scene::no_perturbation(problem);
+    for (std::size_t j = 0; j < weight.size(); ++j) perturbation.contact[j].gap = weight[j];
     return std::make_shared<const Perturbation<2>>(std::move(perturbation));
   };
   Functionals<2> result;
-  result.below = with(weights.below);
-  result.above = weights.above == weights.below ? result.below : with(weights.above);
+  result.below = with(above);
+  result.above = below == above ? result.below : with(below);
+  return result;
+}
+
+Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
+  const ContactWeights weights = contact_weights(scene, first, quantity);
+  const auto negative = [](std::vector<std::array<double, 3>> weight) {
+    for (auto& facet : weight)
+      for (double& coefficient : facet) coefficient = 0.0 - coefficient;
+    return weight;
+  };
+  Functionals<2> result = contact_work_functionals(first, negative(weights.above), negative(weights.below));
   result.non_negative = is_non_negative(weights.below);
   result.weighted = weights.weighted;
   return result;

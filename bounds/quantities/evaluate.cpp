@@ -130,32 +130,41 @@ EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functional
   return result;
 }
 
-}  // namespace
-
 template <int dim>
-EvaluatedQuantity<dim> evaluate(const scene::Scene<dim>& scene, const scene::Quantity<dim>& quantity,
-                                const SolvedLevel<dim>& level, const Undetermined& undetermined, Learned learned) {
-  const Clock clock;
-  const double energy_width = level.upper - level.lower;
-  const FreeEnergy free = quantity.kind == scene::QuantityKind::energy ? free_energy(level.problem) : FreeEnergy::none;
-  EvaluatedQuantity<dim> result;
-  if (free != FreeEnergy::none) {
-    result = of_free_energy(level, free);
-  } else {
-    const Functionals<dim> asked = functionals(scene, level.problem, quantity);
-    for (Guess& guess : learned.guess) guess = carried_over(guess, level.closed, energy_width, learned.energy_width);
-    result = undetermined.below || undetermined.above ? one_sided(level, asked, undetermined, std::move(learned))
-                                                      : two_sided(level, asked, std::move(learned));
-    result.weighted = asked.weighted;
-    if (asked.non_negative && result.level.lower < 0) result.level.lower = 0;
-  }
-  result.learned.energy_width = energy_width;
+EvaluatedQuantity<dim> finished(EvaluatedQuantity<dim> result, const SolvedLevel<dim>& level, const Clock& clock) {
+  result.learned.energy_width = level.upper - level.lower;
   result.level.cells = static_cast<int>(level.problem.mesh.cells.size());
   result.level.seconds = clock.seconds();
   return result;
 }
 
+}  // namespace
+
+template <int dim>
+EvaluatedQuantity<dim> evaluate(const Functionals<dim>& asked, const SolvedLevel<dim>& level,
+                                const Undetermined& undetermined, Learned learned) {
+  const Clock clock;
+  const double energy_width = level.upper - level.lower;
+  for (Guess& guess : learned.guess) guess = carried_over(guess, level.closed, energy_width, learned.energy_width);
+  EvaluatedQuantity<dim> result = undetermined.below || undetermined.above
+                                      ? one_sided(level, asked, undetermined, std::move(learned))
+                                      : two_sided(level, asked, std::move(learned));
+  result.weighted = asked.weighted;
+  if (asked.non_negative && result.level.lower < 0) result.level.lower = 0;
+  return finished(std::move(result), level, clock);
+}
+
+template <int dim>
+EvaluatedQuantity<dim> evaluate(const scene::Scene<dim>& scene, const scene::Quantity<dim>& quantity,
+                                const SolvedLevel<dim>& level, const Undetermined& undetermined, Learned learned) {
+  const Clock clock;
+  const FreeEnergy free = quantity.kind == scene::QuantityKind::energy ? free_energy(level.problem) : FreeEnergy::none;
+  if (free != FreeEnergy::none) return finished(of_free_energy(level, free), level, clock);
+  return evaluate(functionals(scene, level.problem, quantity), level, undetermined, std::move(learned));
+}
+
 template EvaluatedQuantity<2> evaluate(const scene::Scene<2>&, const scene::Quantity<2>&, const SolvedLevel<2>&,
                                        const Undetermined&, Learned);
+template EvaluatedQuantity<2> evaluate(const Functionals<2>&, const SolvedLevel<2>&, const Undetermined&, Learned);
 
 }  // namespace bracket::bounds

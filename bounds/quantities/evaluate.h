@@ -43,4 +43,9 @@ template <int dim>
 EvaluatedQuantity<dim> evaluate(const scene::Scene<dim>& scene, const scene::Quantity<dim>& quantity,
                                 const SolvedLevel<dim>& level, const Undetermined& undetermined, Learned learned);
 
+/// The same of what functionals() has found, or of others; not of the energy where it is free.
+template <int dim>
+EvaluatedQuantity<dim> evaluate(const Functionals<dim>& asked, const SolvedLevel<dim>& level,
+                                const Undetermined& undetermined, Learned learned);
+
 }  // namespace bracket::bounds

@@ -29,4 +29,7 @@ struct GivenDisplacement {
 ///        missing, another domain, two displacements at one node
 GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh);
 
+/// How many nodes a file of displacements has, of whatever mesh. \throw Error (input) as read_field()
+std::size_t count_of_nodes(const std::filesystem::path& file);
+
 }  // namespace bracket::scene

@@ -85,4 +85,6 @@ GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& m
   return given;
 }
 
+std::size_t count_of_nodes(const std::filesystem::path& file) { return read_raw_field(file).nodes.size(); }
+
 }  // namespace bracket::scene

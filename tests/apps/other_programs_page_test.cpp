@@ -12,8 +12,8 @@ namespace {
 class OtherProgramsPage : public Command {
  protected:
   OtherProgramsPage() {
-    shell("mkdir -p docs apps/scenes; cp -r '" BRACKET_DOCS "/other-programs' docs; cp '" BRACKET_DOCS
-          "/../apps/scenes/two_blocks.toml' apps/scenes");
+    shell("mkdir -p docs apps/scenes tests; cp -r '" BRACKET_FIELDS "' tests; cp -r '" BRACKET_DOCS
+          "/other-programs' docs; cp '" BRACKET_DOCS "/../apps/scenes/two_blocks.toml' apps/scenes");
   }
   bool installed(const std::string& program) const { return shell("command -v " + program).status == 0; }
 };

@@ -1,0 +1,168 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/assessment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/json.h"
+#include "apps/report/numbers.h"
+#include "apps/report/quantities.h"
+
+namespace bracket::apps {
+namespace {
+
+using bounds::Assessment;
+using bounds::ErrorInterval;
+using Json = nlohmann::ordered_json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// In percent, outward: the product is rounded.
+ErrorInterval in_percent(const ErrorInterval& ratio) {
+  const auto percent = [](double x, double towards) { return x == 0 ? 0 : std::nextafter(100 * x, towards); };
+  return {percent(ratio.lower, 0), percent(ratio.upper, infinity)};
+}
+
+/// "at least a and at most b" with a unit behind each number.
+std::string between(const ErrorInterval& interval, const std::string& unit) {
+  if (!std::isfinite(interval.upper))
+    return fmt::format("at least {}{}", enclosed_in_decimals(interval.lower, interval.lower).lower, unit);
+  const auto [lower, upper] = enclosed_in_decimals(interval.lower, interval.upper);
+  if (interval.lower == 0) return fmt::format("at most {}{}", upper, unit);
+  return fmt::format("at least {0}{2} and at most {1}{2}", lower, upper, unit);
+}
+
+std::string triangles(const AssessmentReport& report) {
+  const scene::FieldOnScene& field = report.assessment.field;
+  const std::string refined =
+      field.refinements == 0 ? ""
+                             : fmt::format(", refined {} time{}", field.refinements, field.refinements == 1 ? "" : "s");
+  return fmt::format("{} {} triangles of the scene's mesh{}", field.problem.mesh.cells.size(),
+                     field.given.displacement.degree == 2 ? "quadratic" : "linear", refined);
+}
+
+/// What is not admissible: all of it counts as error.
+std::string inadmissible(const Assessment& of) {
+  const double rounding = std::numeric_limits<double>::epsilon() * of.largest;
+  const auto share = [&](double length, const char* whole) {
+    return of.largest > 0 ? fmt::format("{} of {}", rounded_up_exponent(length / of.largest), whole)
+                          : rounded_up_exponent(length);
+  };
+  constexpr const char* largest = "its largest displacement";
+  std::string text;
+  if (of.misfit > rounding) text = fmt::format("misses what supports prescribe by up to {}", share(of.misfit, largest));
+  if (of.penetration > rounding)
+    text += fmt::format("{}penetrates the contact by up to {}", text.empty() ? "" : ", and ",
+                        share(of.penetration, text.empty() ? largest : "that"));
+  return text.empty() ? "" : "not admissible: it " + text + "; that counts as error\n";
+}
+
+/// Of the problem that the bounds hold for, where it is not quite the scene's.
+std::string what_else(const Assessment& of) {
+  std::string text;
+  if (of.guarantee == "discretisation") text += "   for data that were sampled";
+  // An energy that differs by this much belongs to solutions that are √2 of it apart.
+  if (std::sqrt(2 * of.data_energy) > of.error.upper - of.error.lower)
+    text += fmt::format("   for the data as the displacement's mesh has them, which is {} off",
+                        std::isfinite(of.data_energy) ? "an energy of about " + rounded_up_exponent(of.data_energy)
+                                                      : "no bounded energy");
+  return text;
+}
+
+std::string level_table(const Assessment& of) {
+  const auto& [norm_lower, norm_upper] = std::pair(of.levels.back().norm_lower, of.levels.back().norm_upper);
+  const bool relative = norm_lower > 0;
+  const auto told = [&](const ErrorInterval& interval) -> std::string {
+    if (!std::isfinite(interval.upper)) return "-";
+    const ErrorInterval shown =
+        relative ? in_percent({interval.lower / norm_upper, interval.upper / norm_lower}) : interval;
+    const auto [lower, upper] = enclosed_in_decimals(shown.lower, shown.upper);
+    return lower + " .. " + upper;
+  };
+  std::string text = fmt::format("{:>8}  {:>28}  {:>28}  {:>12}  {:>8}\n", "cells", "by stresses",
+                                 "by energies and contact", "mean stress", "seconds");
+  for (const auto& level : of.levels)
+    text += fmt::format("{:>8}  {:>28}  {:>28}  {:>12.3g}  {:>8.2f}\n", level.cells, told(level.by_stress),
+                        told(level.by_energy), level.stress_error, level.seconds);
+  return text + fmt::format(
+                    "       (errors between bounds{}; the error of Bracket's mean stress is at most the "
+                    "fourth number)\n",
+                    relative ? " in % of the last level's norm" : "");
+}
+
+Json interval_json(const ErrorInterval& interval) {
+  return {{"lower", interval.lower}, {"upper", std::isfinite(interval.upper) ? Json(interval.upper) : Json(nullptr)}};
+}
+
+}  // namespace
+
+std::string assessment_headline(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
+  if (of.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", of.reason);
+  const bool relative = std::isfinite(of.relative.lower);
+  std::string text =
+      "the displacement's error in the energy norm is " +
+      (relative ? between(in_percent(of.relative), " %") : between(of.error, "") + ", where nothing else is strained") +
+      what_else(of) + "\n";
+  if (of.field.given.interpolated)
+    text += fmt::format("interpolated: {} is of another mesh; what is judged has its values at the nodes of {}\n",
+                        report.field, triangles(report));
+  text += inadmissible(of);
+  if (of.relative.lower > 1)
+    text +=
+        "note: above 100 %, zero would be no worse: are signs, units and moduli, plane stress or strain, supports and "
+        "loads those of the scene?\n";
+  return text;
+}
+
+std::string assessment_text(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
+  std::string text = report.scene.title.empty() ? "\n" : fmt::format("\n{}\n", report.scene.title);
+  text +=
+      fmt::format("Scene: {}; plane {}{}\nDisplacement: {}, on {}\n", report.scene.file, name(report.scene.plane),
+                  report.scene.units.empty() ? "" : "; units " + report.scene.units, report.field, triangles(report));
+  if (of.guarantee != "none")
+    text += fmt::format(
+        "The energy norm is the root of twice the strain energy; 100 % is that of Bracket's own displacement. The "
+        "error\n"
+        "itself is {}. Guarantee: {}.\n\n{}",
+        between(of.error, ""), of.guarantee, level_table(of));
+  if (of.status == scene::Status::budget) text += fmt::format("Budget: {}\n", of.reason);
+  return text;
+}
+
+std::string assessment_json(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
+  const scene::GivenDisplacement& given = of.field.given;
+  Json json = heading(report.scene);
+  json["units"] = report.scene.units;
+  json["displacement"] = {{"file", report.field},
+                          {"degree", given.displacement.degree},
+                          {"cells", of.field.problem.mesh.cells.size()},
+                          {"refinements", of.field.refinements},
+                          {"interpolated", given.interpolated},
+                          {"off", given.off},
+                          {"largest", of.largest},
+                          {"misfit", of.misfit},
+                          {"penetration", of.penetration}};
+  json["status"] = name(of.status);
+  json["exit_status"] = static_cast<int>(of.status);
+  json["reason"] = of.reason;
+  json["guarantee"] = of.guarantee;
+  json["error"] = interval_json(of.error);
+  json["relative_error"] = interval_json(of.relative);
+  json["data_energy"] = of.data_energy;
+  json["levels"] = Json::array();
+  for (const auto& level : of.levels)
+    json["levels"].push_back({{"cells", level.cells},
+                              {"by_stress", interval_json(level.by_stress)},
+                              {"by_energy", interval_json(level.by_energy)},
+                              {"mean_stress_error_bound", level.stress_error},
+                              {"norm", interval_json({level.norm_lower, level.norm_upper})},
+                              {"seconds", level.seconds}});
+  return dump(json);
+}
+
+}  // namespace bracket::apps

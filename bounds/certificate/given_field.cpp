@@ -1,0 +1,208 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "bounds/certificate/given_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bounds/certificate/arithmetic.h"
+#include "bounds/certificate/functional.h"
+#include "bounds/certificate/problem_faults.h"
+#include "bounds/certificate/sides.h"
+
+namespace bracket::bounds {
+
+namespace {
+
+using Strains = std::array<std::array<Enclosure, 3>, 3>;  // at the corners of a cell
+
+/// As it is given: nothing is added, and bubbles are not rounded.
+MovedField<Enclosure> as_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+  MovedField<Enclosure> result;
+  result.shifts.resize(given.vertex.size());
+  for (std::size_t e = 0; e < given.edge.size(); ++e) {
+    const auto& [a, b] = first.mesh.edges[e];
+    result.bubbles.push_back((Enclosure(1) / Enclosure(2)) * (between<Enclosure>(given.vertex[a], given.edge[e]) +
+                                                              between<Enclosure>(given.vertex[b], given.edge[e])));
+  }
+  return result;
+}
+
+Strains strains(const scene::Problem<2>& problem, const PlainField& field, const MovedField<Enclosure>& added,
+                int cell) {
+  return cell_strain(problem, field, added.shifts, added.bubbles, cell);
+}
+
+Strains difference(Strains a, const Strains& b, const Enclosure& factor) {
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) a[k][i] -= factor * b[k][i];
+  return a;
+}
+
+/// Of each cell of the first mesh.
+std::vector<Strains> given_strains(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+  const PlainField field{given.vertex, {}};
+  const MovedField<Enclosure> all = as_given(first, given);
+  std::vector<Strains> result;
+  for (std::size_t c = 0; c < first.mesh.cells.size(); ++c)
+    result.push_back(strains(first, field, all, static_cast<int>(c)));
+  return result;
+}
+
+/// The strains of a cell of the first mesh at the corners of a piece of it.
+Strains on_piece(const Strains& whole, const scene::Piece<2>& piece) {
+  Strains result;
+  for (int corner = 0; corner < 3; ++corner) {
+    const auto& [second, third] = piece.corner[corner];
+    const std::array<Enclosure, 3> weight = {Enclosure((1 - second) - third), Enclosure(second), Enclosure(third)};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) result[corner][i] += weight[k] * whole[k][i];
+  }
+  return result;
+}
+
+/// ‖σ(u_x) − m‖² on a cell, from what ε(u_x) − ½ ε(u_h) and λ_h are at its corners.
+Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& strain,
+                           const BlockStress<Enclosure>& stress, const Enclosure& doubled_area) {
+  std::array<Enclosure, 3> centre;
+  for (int i = 0; i < 3; ++i) centre[i] = (strain[0][i] + strain[1][i] + strain[2][i]) / Enclosure(3);
+  const Enclosure half = Enclosure(1) / Enclosure(2);
+  Enclosure sum;
+  for (int part = 0; part < 3; ++part) {
+    const std::array<std::array<Enclosure, 3>, 3> e = {strain[part], strain[(part + 1) % 3], centre};
+    // Both are linear on the part: so is what `integral` sees of them, corner by corner and their sum.
+    std::array<std::array<Enclosure, 6>, 3> both;
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) {
+        both[k][i] = e[k][i];
+        both[k][3 + i] = half * stress[part][k][i];
+      }
+    const auto energy = [&](const std::array<Enclosure, 6>& of) {
+      return form.difference_energy({of[0], of[1], of[2]}, {of[3], of[4], of[5]});
+    };
+    sum += integral(energy, both, doubled_area / Enclosure(3));
+  }
+  return Enclosure(2) * sum;
+}
+
+/// √x, also where x may be zero.
+double root_below(const Enclosure& x) {
+  const double least = lower(x);
+  return least > 0 ? lower(root(Enclosure(least))) : 0;
+}
+double root_above(const Enclosure& x) {
+  const double most = upper(x);
+  return most > 0 ? upper(root(Enclosure(most))) : most == 0 ? 0 : std::nan("");
+}
+
+/// ‖u_s − u_x‖²
+Enclosure squared_move(const scene::Problem<2>& first, const PlainField& field, const MovedField<Enclosure>& added,
+                       const scene::Displacement<2>& given) {
+  const std::vector<Strains> before = given_strains(first, given);
+  const auto forms = elastic_forms<Enclosure>(first);
+  LongSum sum;
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    const auto& form = forms[first.mesh.cell_body[c]];
+    sum.add(integral([&](const std::array<Enclosure, 3>& e) { return form.strain_energy(e); },
+                     difference(strains(first, field, added, cell), before[c], Enclosure(1)),
+                     doubled_area(corners<Enclosure>(first, cell))));
+  }
+  return Enclosure(2) * sum.value();
+}
+
+double largest_move(const scene::Problem<2>& first, const PlainField& field, const MovedField<Enclosure>& added,
+                    const scene::Displacement<2>& given) {
+  const auto move = [&](int v) { return between<Enclosure>(given.vertex[v], field.vertex[v]) + added.shifts[v]; };
+  const auto length = [](const Vector2<Enclosure>& x) {
+    return std::hypot(static_cast<double>(x.x.middle), static_cast<double>(x.y.middle));
+  };
+  double most = 0;
+  for (std::size_t v = 0; v < given.vertex.size(); ++v) most = std::max(most, length(move(static_cast<int>(v))));
+  const MovedField<Enclosure> before = as_given(first, given);
+  for (std::size_t e = 0; e < given.edge.size(); ++e) {
+    const auto& [a, b] = first.mesh.edges[e];
+    const Enclosure half = Enclosure(1) / Enclosure(2);
+    most = std::max(most, length(half * (move(a) + move(b)) + (added.bubbles[e] - before.bubbles[e])));
+  }
+  return most;
+}
+
+std::string fault_of_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+  if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
+  if (std::string fault = problem_fault(first); !fault.empty()) return fault;
+  return displacement_fault(first, given);
+}
+
+}  // namespace
+
+GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+  if (std::string fault = fault_of_given(first, given); !fault.empty()) return {.reason = fault};
+  const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
+  if (!unbalanced.empty()) return {.reason = unbalanced};
+  const std::vector<VertexSupport> supports = vertex_supports(first);
+  const PlainField field = plain_field(first, given, supports);
+  const MovedField<Enclosure> added = moved<Enclosure>(first, supports, field);
+  const auto energy = field_energy<Enclosure, LongSum>(first, supports, field, corrections);
+  GivenEnergy result;
+  result.lower = lower(energy.total);
+  result.upper = upper(energy.total);
+  result.moved = root_above(squared_move(first, field, added, given));
+  result.misfit = largest_move(first, field, added, given);
+  result.valid = std::isfinite(result.lower) && std::isfinite(result.upper) && std::isfinite(result.moved);
+  for (const auto& pair : first.contact) {
+    const auto r = approach_on<Enclosure>(first, supports, field, pair);
+    std::array<double, 3> below, above;
+    for (int i = 0; i < 3; ++i) {
+      below[i] = lower(Enclosure(pair.lower[i]) - r[i]);
+      above[i] = upper(Enclosure(pair.upper[i]) - r[i]);
+      result.valid = result.valid && std::isfinite(below[i]) && std::isfinite(above[i]);
+    }
+    result.below.push_back(below);
+    result.above.push_back(above);
+  }
+  if (!result.valid) result.reason = "the displacement is too large for its energy to be enclosed";
+  return result;
+}
+
+GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                               const scene::Stress<2>& stress, const scene::Displacement<2>& given) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  if (std::string fault = fault_of(problem, displacement, stress); !fault.empty()) return {.reason = fault};
+  if (std::string fault = displacement_fault(first, given); !fault.empty()) return {.reason = fault};
+  const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
+  if (!unbalanced.empty()) return {.reason = unbalanced};
+  const Sides sides = both_sides(problem, corrections, displacement, stress);
+  if (!sides.reason.empty()) return {.reason = sides.reason};
+
+  const MovedField<Enclosure> own = moved<Enclosure>(problem, sides.above.supports, sides.above.field);
+  const auto forms = elastic_forms<Enclosure>(problem);
+  const std::vector<Strains> whole = given_strains(first, given);
+  std::vector<LongSum> shares(first.mesh.cells.size());
+  LongSum sum;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    const scene::Piece<2> piece = scene::piece_of_cell(problem, cell);
+    const Strains strain = difference(on_piece(whole[piece.of], piece), strains(problem, sides.above.field, own, cell),
+                                      Enclosure(1) / Enclosure(2));
+    const LoadedCell<Enclosure> block = loaded_cell(problem, sides.below.loads, cell);
+    const Enclosure share = squared_distance(forms[problem.mesh.cell_body[c]], strain,
+                                             block_stress(problem, block, cell), doubled_area(block.x));
+    sum.add(share);
+    shares[piece.of].add(share);
+  }
+  const Enclosure contact =
+      contact_work<Enclosure, LongSum>(problem, sides.above.supports, sides.above.field, sides.below.loads);
+  const Enclosure two(2), width = sides.above.energy.total + sides.below.energy;
+  GivenDistance result;
+  result.lower = root_below(sum.value());
+  result.upper = root_above(sum.value());
+  result.stress_error = root_above((width + contact) / two);
+  result.norm_lower = root_below(two * sides.above.energy.strain);
+  result.norm_upper = root_above(two * sides.above.energy.strain);
+  for (const LongSum& share : shares) result.cell.push_back(std::max(0.0, upper(share.value())));
+  result.valid = std::isfinite(result.upper) && std::isfinite(result.stress_error) && std::isfinite(result.norm_upper);
+  if (!result.valid) result.reason = "the distance could not be enclosed: numbers too large or too small";
+  return result;
+}
+
+}  // namespace bracket::bounds

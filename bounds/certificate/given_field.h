@@ -1,0 +1,46 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: contact lines.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/fields.h"
+#include "scene/problem/problem.h"
+
+/// What holds of a displacement u_x from anywhere, in floating point (docs/other-programs.md). It lives on the first
+/// mesh of a problem; supports and contact it may violate.
+namespace bracket::bounds {
+
+/// Of u_s, which is u_x moved onto the supports exactly.
+struct GivenEnergy {
+  bool valid = false;
+  std::string reason;           ///< if not: one line
+  double lower = 0, upper = 0;  ///< L(u_s) is between
+  double moved = 0;             ///< ≥ ‖u_s − u_x‖_A
+  double misfit = 0;            ///< the largest distance by which a node was moved, rounded
+  /// Quadratics around g − r(u_s), below and above, on each contact facet of the first mesh: Bernstein coefficients
+  /// from vertex 0 of its first facet. Negative: it penetrates.
+  std::vector<std::array<double, 3>> below = {}, above = {};
+};
+/// \param first on its first mesh, with its loads in balance   \param given u_x, need not solve anything
+GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given);
+
+/// By the equality in docs/other-programs.md, with m = ½ (σ(u_h) + λ_h) and T = ½ (w + κ) of fields that are
+/// admissible:
+///     | ‖σ(u_x) − m‖ − ‖u_x − u‖_A | ≤ √T
+struct GivenDistance {
+  bool valid = false;
+  std::string reason;                     ///< if not: one line
+  double lower = 0, upper = 0;            ///< ‖σ(u_x) − m‖ is between
+  double stress_error = 0;                ///< ≥ √T
+  double norm_lower = 0, norm_upper = 0;  ///< ‖u_h‖_A is between
+  std::vector<double> cell = {};          ///< ‖σ(u_x) − m‖² on each cell of the first mesh, not below
+};
+/// \param problem on any mesh   \param displacement, stress u_h and λ_h, moved as by certify()
+/// \param given u_x, on the first mesh
+GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                               const scene::Stress<2>& stress, const scene::Displacement<2>& given);
+
+}  // namespace bracket::bounds
