@@ -17,8 +17,8 @@ std::vector<Picture> pictures(const Report& report);
 Picture closing_picture(const Report& report);  ///< the bounds about the middle of the final bracket, against cells
 /// The same of each quantity, quantity_1 and so on, that two meshes or more have put between bounds.
 std::vector<Picture> quantity_pictures(const Report& report);
-Picture error_picture(const Report& report);    ///< the guaranteed relative error against cells and seconds
-Picture mesh_picture(const Report& report);     ///< the mesh coloured by the density of the indicator
+Picture error_picture(const Report& report);  ///< the guaranteed relative error against cells and seconds
+Picture mesh_picture(const Report& report);   ///< the mesh coloured by the density of the indicator
 /// Where a displacement from another program is wrong: its mesh coloured by the density of its squared error.
 Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment);
 Picture stress_picture(const Report& report);   ///< the deformed bodies coloured by a stress
