@@ -10,25 +10,25 @@ namespace {
 // A slice of what bracket_random_quantities does.
 TEST(RandomQuantities, never_exclude_each_other) {
   int both = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
     const auto verdict = judge_random_quantities(seed);
     both += verdict.both_ends;
     for (const auto& fault : verdict.faults) ADD_FAILURE() << "seed " << seed << "\n" << verdict.text << fault;
   }
-  EXPECT_GE(both, 20);
+  EXPECT_GE(both, 12);
 }
 
 // A slice of what bracket_random_functionals does.
 TEST(RandomFunctionals, bounds_are_on_their_side) {
   int pairs = 0;
   double least = 1;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto verdict = judge_random_functionals(seed);
     pairs += verdict.pairs;
     least = std::min(least, verdict.least);
     for (const auto& fault : verdict.faults) ADD_FAILURE() << fault;
   }
-  EXPECT_GE(pairs, 600);
+  EXPECT_GE(pairs, 400);
   EXPECT_LE(least, 1e-3);  // some are sharp: a wrong sign would be seen
 }
 
