@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 // docs/other-programs.md: what it says to type works and prints what it says; the other programs run where they are
 // installed, and give the files of tests/fields.
+#include <regex>
+
 #include "scene/field/field.h"
 #include "tests/apps/command.h"
 #include "tests/apps/page.h"
@@ -27,6 +29,19 @@ scene::Displacement<2> displacement(const std::filesystem::path& file) {
   return given.displacement;
 }
 
+/// The same words, and numbers that differ by a hundredth at most: which cells are refined, of several that are alike,
+/// hangs on the processor.
+void expect_alike(const std::string& printed, const std::string& said) {
+  const std::regex number("[0-9]+(\\.[0-9]+)?(e[-+][0-9]+)?");
+  EXPECT_EQ(std::regex_replace(printed, number, "#"), std::regex_replace(said, number, "#"));
+  const std::sregex_iterator none;
+  std::sregex_iterator one(printed.begin(), printed.end(), number), other(said.begin(), said.end(), number);
+  for (; one != none && other != none; ++one, ++other) {
+    const double expected = std::stod(other->str());
+    EXPECT_NEAR(std::stod(one->str()), expected, 0.01 * expected + 1e-5) << printed << said;
+  }
+}
+
 TEST_F(OtherProgramsPage, ItsCommandsRunAndPrintWhatItSays) {
   const std::vector<Block> all = blocks(BRACKET_DOCS "/other-programs.md");
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -38,9 +53,7 @@ TEST_F(OtherProgramsPage, ItsCommandsRunAndPrintWhatItSays) {
     if (!runs) continue;
     const Ended ended = shell("cd docs/other-programs && " + all[i].text);
     EXPECT_EQ(ended.status, 0) << all[i].text << ended.err;
-    if (i + 1 < all.size() && all[i + 1].language == "text") {
-      EXPECT_EQ(ended.out, all[i + 1].text);
-    }
+    if (i + 1 < all.size() && all[i + 1].language == "text") expect_alike(ended.out, all[i + 1].text);
   }
   for (const auto& [program, result, kept] :
        {std::tuple("ccx", "blocks.frd", "calculix.frd"), std::tuple("FreeFem++-nw", "blocks.vtu", "freefem.vtu")}) {
