@@ -46,7 +46,6 @@ Functionals<2> reaction(const Problem<2>& first, const Quantity<2>& quantity) {
     return quantity.direction.value_or(first.facets[first.facets[f].support == Support::fixed ? facets[0] : f].normal);
   };
   std::vector<double> weight(mesh.vertices.size(), 1);
-  Functionals<2> result;
   for (std::size_t g = 0; g < mesh.boundary.size(); ++g) {
     if (own[g]) continue;
     for (const int f : facets)
@@ -70,7 +69,7 @@ Functionals<2> reaction(const Problem<2>& first, const Quantity<2>& quantity) {
                        "take a finer first mesh",
                        quantity.of));
   const Enclosure scale = quantity.direction ? size(*quantity.direction) : Enclosure(1);
-  result = linear(std::move(perturbation), scale);
+  Functionals<2> result = linear(std::move(perturbation), scale);
   result.weighted = weighted;
   return result;
 }
