@@ -301,14 +301,15 @@ std::string problem_fault(const Problem<2>& problem) {
     if (std::string fault = number_fault(*one); !fault.empty()) return fault;
     if (one == &problem && problem.origin.first)
       if (std::string fault = piece_fault(problem); !fault.empty()) return fault;
+    if (one == &problem)
+      if (std::string fault = perturbation_fault(problem); !fault.empty()) return fault;
     if (std::string fault = topology_fault(*one); !fault.empty()) return fault;
     if (std::string fault = direction_fault(*one); !fault.empty()) return fault;
     if (std::string fault = contact_fault(*one); !fault.empty()) return fault;
     if (&first == &problem) break;
   }
   if (std::string fault = load_fault(first); !fault.empty()) return fault;
-  if (std::string fault = support_fault(first); !fault.empty()) return fault;
-  return perturbation_fault(problem);
+  return support_fault(first);
 }
 
 }  // namespace bracket::bounds

@@ -189,7 +189,11 @@ TEST(ProblemFault, in_perturbations) {
   const Problem<2> problem = refined();
   const Problem<2>& first = scene::first_of(problem);
   const scene::TwofoldVector<2> one{{1, 0}, {0, 0}};
-  expect_functional_refused([](auto& by) { by.force.pop_back(); }, "differ in number");
+  scene::Perturbation<2> few = scene::no_perturbation(problem);
+  Problem<2> perturbed = scene::perturbed(problem, std::make_shared<const scene::Perturbation<2>>(few), 0.125, 0.125);
+  few.contact.pop_back();
+  perturbed.perturbed.by = std::make_shared<const scene::Perturbation<2>>(few);
+  EXPECT_NE(problem_fault(perturbed).find("differ in number"), std::string::npos) << problem_fault(perturbed);
   expect_functional_refused([](auto& by) { by.force[0][1] = NAN; }, "not finite");
   expect_functional_refused([](auto& by) { by.contact[0].gap[1] = INFINITY; }, "not finite");
   expect_functional_refused(
