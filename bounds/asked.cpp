@@ -23,17 +23,13 @@ std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2
   std::vector<Asked<2>> result;
   if (pair.zones == 0) return result;
   const std::string name = pair.name.empty() ? pair.first.parts.front() : pair.name;
-  const auto lines = contact_lines(problem, contact);
-  if (lines.size() != 1 || lines[0].closed)
-    scene::fail(scene::Status::input, pair.where,
-                fmt::format("zones need a contact line with two ends, and '{}' {}", name,
-                            lines.size() != 1 ? "consists of several lines" : "is closed"));
+  const double length = open_line(problem, contact, name, "zones need", pair.where).arc.back();
   for (int zone = 0; zone < pair.zones; ++zone) {
     scene::Quantity<2> force;
     force.name = fmt::format("zone {} of {}", zone + 1, name);
     force.kind = QuantityKind::force;
     force.of = name;
-    force.stretch = {lines[0].arc.back() * zone / pair.zones, lines[0].arc.back() * (zone + 1) / pair.zones};
+    force.stretch = {length * zone / pair.zones, length * (zone + 1) / pair.zones};
     force.where = pair.where;
     result.push_back({std::move(force), contact, zone});
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bounds/asked.h"
+#include "bounds/estimate/on_mesh.h"
 #include "bounds/particular.h"
 #include "bounds/unstrained.h"
 #include "scene/problem/gap.h"
@@ -76,8 +77,7 @@ template <int dim> Pair<dim> at_rest(const scene::Problem<dim>& problem, const s
 
 template <int dim>
 double largest_motion(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
-  double largest = 0;
-  for (const auto& u : displacement.vertex) largest = std::max(largest, u.norm());
+  double largest = largest_at_vertices(displacement);
   for (const auto& pair : problem.contact)
     for (const double gap : pair.upper) largest = std::max(largest, std::abs(gap));
   return largest;

@@ -12,11 +12,6 @@ using scene::Voigt;
 
 namespace {
 
-/// Keeps the largest value; a NaN stays.
-void raise(double& largest, double value) {
-  if (value > largest || std::isnan(value)) largest = value;
-}
-
 /// The size of what deforms: the largest strain over the whole length, the gaps and the prescribed displacements. Rigid
 /// motions stay out, so that a body that flies off does not hide how far it penetrates.
 template <int dim>
@@ -25,13 +20,6 @@ double displacement_scale(const scene::Problem<dim>& problem, const scene::Displ
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
     for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
   return strain * problem.length_scale + largest_given(problem);
-}
-
-template <int dim> double largest_stress(const scene::Stress<dim>& stress) {
-  double largest = 0;
-  for (const auto& cell : stress.cell)
-    for (const auto& s : cell) raise(largest, s.norm());
-  return largest;
 }
 
 template <int dim>

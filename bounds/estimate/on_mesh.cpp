@@ -73,6 +73,19 @@ std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& p
   return pressure;
 }
 
+template <int dim> double largest_at_vertices(const scene::Displacement<dim>& displacement) {
+  double largest = 0;
+  for (const auto& u : displacement.vertex) raise(largest, u.norm());
+  return largest;
+}
+
+template <int dim> double largest_stress(const scene::Stress<dim>& stress) {
+  double largest = 0;
+  for (const auto& cell : stress.cell)
+    for (const auto& s : cell) raise(largest, s.norm());
+  return largest;
+}
+
 template <int dim> double largest_given(const scene::Problem<dim>& problem) {
   double largest = 0;
   for (const auto& data : problem.facets)
@@ -89,6 +102,8 @@ template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const scene::D
 template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
 template std::array<double, 2> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
                                               const scene::ContactFacet&);
+template double largest_at_vertices(const scene::Displacement<2>&);
+template double largest_stress(const scene::Stress<2>&);
 template double largest_given(const scene::Problem<2>&);
 
 }  // namespace bracket::bounds

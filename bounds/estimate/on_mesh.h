@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+
 #include "bounds/estimate/estimate.h"
 #include "scene/voigt.h"
 
@@ -27,6 +29,15 @@ std::array<scene::Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim
 template <int dim>
 std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& problem,
                                                     const scene::Stress<dim>& stress, const scene::ContactFacet& pair);
+
+/// Keeps the largest value; a NaN stays.
+inline void raise(double& largest, double value) {
+  if (value > largest || std::isnan(value)) largest = value;
+}
+
+/// The largest displacement of a vertex, and the largest stress at a corner; not a number where one is not.
+template <int dim> double largest_at_vertices(const scene::Displacement<dim>& displacement);
+template <int dim> double largest_stress(const scene::Stress<dim>& stress);
 
 /// The largest of the prescribed displacements and gaps.
 template <int dim> double largest_given(const scene::Problem<dim>& problem);

@@ -17,9 +17,6 @@ using scene::Enclosure;
 using scene::Perturbation;
 using scene::Problem;
 using scene::Quantity;
-using scene::Support;
-using scene::TwofoldVector;
-using scene::Vector;
 
 namespace {
 
@@ -38,9 +35,8 @@ std::vector<std::array<double, 3>> quadratic(const LinearWeight& weight) {
 
 void check_continuous(const Problem<2>& first, const Quantity<2>& quantity, int pair, const ContactWeights& weights) {
   for (const ContactLine& line : contact_lines(first, pair))
-    for (std::size_t i = 0; i + line.closed < line.contact.size() + line.closed; ++i) {
-      if (i + 1 == line.contact.size() && !line.closed) break;
-      const int one = line.contact[i], next = line.contact[(i + 1) % line.contact.size()];
+    for (std::size_t i = line.closed ? 0 : 1; i < line.contact.size(); ++i) {
+      const int one = line.contact[(i == 0 ? line.contact.size() : i) - 1], next = line.contact[i];
       if (weights.below[one][0] == weights.below[next][2] && weights.above[one][0] == weights.above[next][2]) continue;
       const int v = first.mesh.boundary[first.contact[one].first].vertices[0];
       refuse(quantity,
@@ -70,13 +66,11 @@ ContactWeights given_weights(const Problem<2>& first, const Quantity<2>& quantit
 ContactWeights contact_weights(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
   const int pair = pair_named(scene, quantity.of, quantity.where);
   if (quantity.weight) return given_weights(first, quantity, pair);
-  const std::vector<ContactLine> lines = contact_lines(first, pair);
   ContactWeights weights;
   if (quantity.stretch) {
-    if (lines.size() != 1 || lines[0].closed)
-      refuse(quantity, fmt::format("a stretch needs a contact line with two ends, and '{}' {}", quantity.of,
-                                   lines.size() != 1 ? "consists of several lines" : "is closed"));
-    const StretchWeights stretch = stretch_weights(first, lines[0], *quantity.stretch, quantity.where);
+    const ContactLine line = open_line(first, pair, quantity.of,
+                                       fmt::format("quantity '{}': a stretch needs", quantity.name), quantity.where);
+    const StretchWeights stretch = stretch_weights(first, line, *quantity.stretch, quantity.where);
     weights.below = quadratic(stretch.below);
     weights.above = quadratic(stretch.above);
     weights.length = Enclosure(quantity.stretch->to) - Enclosure(quantity.stretch->from);
@@ -94,6 +88,8 @@ ContactWeights contact_weights(const scene::Scene<2>& scene, const Problem<2>& f
   }
   return weights;
 }
+
+std::array<double, 3> negated(const std::array<double, 3>& w) { return {0.0 - w[0], 0.0 - w[1], 0.0 - w[2]}; }
 
 bool is_non_negative(const std::vector<std::array<double, 3>>& weight) {
   return std::ranges::all_of(weight, [](const auto& w) { return w[0] >= 0 && w[1] >= 0 && w[2] >= 0; });
@@ -117,8 +113,7 @@ Functionals<2> contact_work_functionals(const Problem<2>& problem, const std::ve
 Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
   const ContactWeights weights = contact_weights(scene, first, quantity);
   const auto negative = [](std::vector<std::array<double, 3>> weight) {
-    for (auto& facet : weight)
-      for (double& coefficient : facet) coefficient = 0.0 - coefficient;
+    for (auto& facet : weight) facet = negated(facet);
     return weight;
   };
   Functionals<2> result = contact_work_functionals(first, negative(weights.above), negative(weights.below));
@@ -128,8 +123,6 @@ Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& fir
 }
 
 namespace {
-
-std::array<double, 3> negated(const std::array<double, 3>& w) { return {0.0 - w[0], 0.0 - w[1], 0.0 - w[2]}; }
 
 /// A linear weight that is nowhere above a quadratic one, which is linear itself but for rounding: of its Bernstein
 /// coefficients none is larger.

@@ -7,13 +7,10 @@
 
 namespace bracket::bounds {
 
-using scene::Enclosure;
 using scene::Perturbation;
 using scene::Problem;
 using scene::Quantity;
 using scene::Support;
-using scene::TwofoldVector;
-using scene::Vector;
 
 Functionals<2> half_of_data(const Problem<2>& first, const Quantity<2>& quantity) {
   if (!first.corrections.empty() && first.imbalance > 0)

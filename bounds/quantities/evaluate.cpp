@@ -56,10 +56,9 @@ void take(const FunctionalBound& bound, double sign, const Functionals<dim>& ask
 template <int dim>
 FunctionalBound best_one_sided(const SolvedLevel<dim>& level, const std::shared_ptr<const scene::Perturbation<dim>>& by,
                                double sign, Guess& guess) {
-  constexpr int smallest = -120;
   FunctionalBound best;
-  for (double s = guess.s > 0 ? 8 * guess.s : 1; s > std::exp2(smallest); s /= 2) {
-    const double f = sign * std::exp2(std::round(std::log2(s)));
+  for (double s = guess.s > 0 ? 8 * guess.s : 1; s > smallest_factor; s /= 2) {
+    const double f = sign * power_of_two(s);
     const FunctionalBound bound = one_sided_bound(level.problem, level.solvers, by, f);
     if (!bound.valid) {
       if (best.valid) break;
@@ -115,7 +114,7 @@ EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functional
     const Attempt<dim> best = best_pair(level.problem, level.solvers, by, guess, of_means,
                                         learned.energy_width > 0 ? pairs_later : pairs_at_first);
     if (!best.pair) {
-      if (result.level.reason.empty()) result.level.reason = best.why.reason;
+      if (result.level.reason.empty()) result.level.reason = best.reason;
       continue;
     }
     guess.s = guess.s > 0 ? kept(guess.s, best.pair->s) : best.pair->s;
@@ -123,8 +122,9 @@ EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functional
     result.level.s = best.pair->s;
     add_terms(result.indicator, level.indicator, *best.pair, share);
     result.plain_width += share * best.pair->width;
-    if (side == 0) take(lower_bound(level.problem, by, *best.pair), -1, asked, result.level);
-    if (side == 1 || one) take(upper_bound(level.problem, by, *best.pair), 1, asked, result.level);
+    for (const int sign : {-1, 1})
+      if (one || (side == 0) == (sign < 0))
+        take(functional_bound(level.problem, by, *best.pair, sign), sign, asked, result.level);
   }
   result.learned = std::move(learned);
   return result;

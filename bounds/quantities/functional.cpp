@@ -14,9 +14,6 @@ using scene::Enclosure;
 using scene::Perturbation;
 using scene::Problem;
 using scene::Quantity;
-using scene::Support;
-using scene::TwofoldVector;
-using scene::Vector;
 
 [[noreturn]] void refuse(const Quantity<2>& quantity, const std::string& why) {
   scene::fail(scene::Status::input, quantity.where, fmt::format("quantity '{}': {}", quantity.name, why));

@@ -14,6 +14,13 @@ namespace bracket::bounds {
 
 using scene::Support;
 
+namespace {
+
+/// Of sums of lengths: an end of a stretch that is as close to a vertex is that vertex.
+double rounding_of_arc(const ContactLine& line) { return 1e-12 * line.arc.back(); }
+
+}  // namespace
+
 std::vector<ContactLine> contact_lines(const scene::Problem<2>& problem, int pair) {
   const auto& mesh = problem.mesh;
   std::map<int, int> from;  // of each vertex: the contact whose first facet ends there, to its left
@@ -48,10 +55,19 @@ std::vector<ContactLine> contact_lines(const scene::Problem<2>& problem, int pai
   return lines;
 }
 
+ContactLine open_line(const scene::Problem<2>& first, int pair, const std::string& name, const std::string& what,
+                      const std::string& where) {
+  const std::vector<ContactLine> lines = contact_lines(first, pair);
+  if (lines.size() == 1 && !lines[0].closed) return lines[0];
+  scene::fail(scene::Status::input, where,
+              fmt::format("{} a contact line with two ends, and '{}' {}", what, name,
+                          lines.size() != 1 ? "consists of several lines" : "is closed"));
+}
+
 StretchWeights stretch_weights(const scene::Problem<2>& problem, const ContactLine& line,
                                const scene::LineStretch& stretch, const std::string& where) {
   const double length = line.arc.back();
-  const double rounding = 1e-12 * length;  // of sums of lengths: an end as close to a vertex is that vertex
+  const double rounding = rounding_of_arc(line);
   if (!(stretch.from < stretch.to) || stretch.from < -rounding || stretch.to > length + rounding)
     scene::fail(scene::Status::input, where,
                 fmt::format("the stretch from {} to {} is not on its contact line, which goes from 0 to {:.6g}",
@@ -98,7 +114,7 @@ std::vector<char> on_stretch(const scene::Problem<2>& problem, const ContactLine
     if (found == place.end()) continue;
     const double begin = line.arc[found->second], end = line.arc[found->second + 1];
     const double from = end - corner[1][0] * (end - begin), to = end - corner[0][0] * (end - begin);
-    const double rounding = 1e-12 * line.arc.back();  // as for weights
+    const double rounding = rounding_of_arc(line);
     result.back() = to > stretch.from + rounding && from < stretch.to - rounding;
   }
   return result;

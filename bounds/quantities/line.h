@@ -21,6 +21,11 @@ struct ContactLine {
 /// The connected lines of which the first side of a pair consists.
 std::vector<ContactLine> contact_lines(const scene::Problem<2>& problem, int pair);
 
+/// The line of a pair that is one line with two ends.
+/// \throw scene::Error (input), at `where`, else: "WHAT a contact line with two ends, and 'NAME' …"
+ContactLine open_line(const scene::Problem<2>& first, int pair, const std::string& name, const std::string& what,
+                      const std::string& where);
+
 /// A weight that is linear on each contact facet of the first mesh: at vertices 0 and 1 of the first facet, as
 /// Problem::contact.
 using LinearWeight = std::vector<std::array<double, 2>>;

@@ -1,14 +1,15 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/quantities/pair.h"
 
+#include <cmath>
 #include <future>
 #include <limits>
+
+#include "bounds/estimate/on_mesh.h"
 
 namespace bracket::bounds {
 
 namespace {
-
-using contact::Termination;
 
 /// ½ (a ± b)
 template <int dim>
@@ -25,17 +26,6 @@ template <int dim> scene::Stress<dim> combined(const scene::Stress<dim>& a, cons
   return result;
 }
 
-template <int dim> double largest(const scene::Displacement<dim>& u) {
-  double most = 0;
-  for (const auto& x : u.vertex) most = std::max(most, x.norm());
-  return most;
-}
-template <int dim> double largest(const scene::Stress<dim>& stress) {
-  double most = 0;
-  for (const auto& cell : stress.cell)
-    for (const auto& s : cell) most = std::max(most, s.norm());
-  return most;
-}
 /// 0: there is nothing to compare with.
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
@@ -51,7 +41,8 @@ template <int dim> PerturbedPair<dim> with_width(const scene::Problem<dim>& prob
     const scene::Displacement<dim> v = combined(v1, v2, sign);
     const scene::Stress<dim> l = combined(l1, l2, sign);
     constexpr double units = 8 * std::numeric_limits<double>::epsilon();
-    return {indicator(problem, v, l), largest(v), largest(l), units * potential_energy(problem, v).strain};
+    return {indicator(problem, v, l), largest_at_vertices(v), largest_stress(l),
+            units * potential_energy(problem, v).strain};
   };
   auto other = std::async(std::launch::async, combine, 1.0);
   const Sized half = combine(-1);
@@ -84,7 +75,6 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
     try {
       displacements[i] = solvers.displacements->solve(perturbed, closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
-      displacements[i].termination = Termination::contradiction;
       displacements[i].reason = error.what();
     }
   };
@@ -92,17 +82,10 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
   solve(0);
   other.get();
   Attempt<dim> attempt;
-  for (int i = 0; i < 2; ++i) {
-    const auto of_loads = [](Termination why) { return why == Termination::no_equilibrium; };
-    const auto of_gaps = [](Termination why) {
-      return why != Termination::solved && why != Termination::no_equilibrium;
-    };
-    attempt.why.loads[i] = of_loads(displacements[i].termination) || of_loads(stresses[i].termination);
-    attempt.why.kinematics[i] = of_gaps(displacements[i].termination) || of_gaps(stresses[i].termination);
+  for (int i = 0; i < 2; ++i)
     for (const std::string& reason : {displacements[i].reason, stresses[i].reason})
-      if (attempt.why.reason.empty()) attempt.why.reason = reason;
-  }
-  if (!attempt.why.reason.empty()) return attempt;
+      if (attempt.reason.empty()) attempt.reason = reason;
+  if (!attempt.reason.empty()) return attempt;
   PerturbedPair<dim> pair{.s = s};
   for (int i = 0; i < 2; ++i) {
     pair.displacement[i] = std::move(displacements[i].displacement);
@@ -113,22 +96,25 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
   return attempt;
 }
 
+namespace {
+
+/// As certify_functional(), by |f|.
 template <int dim>
-FunctionalBound upper_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
-                            const PerturbedPair<dim>& pair) {
-  FunctionalBound bound = certify_functional(scene::perturbed(problem, std::move(by), pair.s, pair.s),
-                                             pair.displacement[1], pair.stress[0]);
-  bound.above /= pair.s;
+FunctionalBound bound_by(const scene::Problem<dim>& problem, const std::shared_ptr<const scene::Perturbation<dim>>& by,
+                         double f, const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress) {
+  FunctionalBound bound = certify_functional(scene::perturbed(problem, by, f, f), displacement, stress);
+  bound.above /= std::abs(f);
   return bound;
 }
 
+}  // namespace
+
 template <int dim>
-FunctionalBound lower_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
-                            const PerturbedPair<dim>& pair) {
-  FunctionalBound bound = certify_functional(scene::perturbed(problem, std::move(by), -pair.s, -pair.s),
-                                             pair.displacement[0], pair.stress[1]);
-  bound.above /= pair.s;
-  return bound;
+FunctionalBound functional_bound(const scene::Problem<dim>& problem,
+                                 const std::shared_ptr<const scene::Perturbation<dim>>& by,
+                                 const PerturbedPair<dim>& pair, int sign) {
+  const int loads = sign > 0 ? 0 : 1;  // whose loads are sign · s; the kinematics of the other are
+  return bound_by(problem, by, sign * pair.s, pair.displacement[1 - loads], pair.stress[loads]);
 }
 
 template <int dim>
@@ -138,10 +124,7 @@ FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solver
   const auto displacements = solvers.displacements->solve(scene::perturbed(problem, by, 0, f));
   for (const std::string& reason : {displacements.reason, stresses.reason})
     if (!reason.empty()) return {.reason = reason};
-  FunctionalBound bound =
-      certify_functional(scene::perturbed(problem, by, f, f), displacements.displacement, stresses.stress);
-  bound.above /= std::abs(f);
-  return bound;
+  return bound_by(problem, by, f, displacements.displacement, stresses.stress);
 } catch (const scene::Error& error) {
   return {.reason = error.what()};
 }
@@ -150,11 +133,10 @@ template struct PerturbedPair<2>;
 template Attempt<2> solve_pair(const scene::Problem<2>&, const Solvers<2>&,
                                const std::shared_ptr<const scene::Perturbation<2>>&, double,
                                const std::array<Closed, 2>&);
-template FunctionalBound upper_bound(const scene::Problem<2>&, std::shared_ptr<const scene::Perturbation<2>>,
-                                     const PerturbedPair<2>&);
 template FunctionalBound one_sided_bound(const scene::Problem<2>&, const Solvers<2>&,
                                          const std::shared_ptr<const scene::Perturbation<2>>&, double);
-template FunctionalBound lower_bound(const scene::Problem<2>&, std::shared_ptr<const scene::Perturbation<2>>,
-                                     const PerturbedPair<2>&);
+template FunctionalBound functional_bound(const scene::Problem<2>&,
+                                          const std::shared_ptr<const scene::Perturbation<2>>&, const PerturbedPair<2>&,
+                                          int);
 
 }  // namespace bracket::bounds

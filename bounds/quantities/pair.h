@@ -37,16 +37,9 @@ template <int dim> struct PerturbedPair {
   double strength = 0;
 };
 
-/// Why there is none: which of the four has no solution.
-struct Unsolvable {
-  std::array<bool, 2> loads = {false, false};       ///< no pressure balances them, at + s and − s
-  std::array<bool, 2> kinematics = {false, false};  ///< no displacement is admissible, at − s and + s
-  std::string reason;
-};
-
 template <int dim> struct Attempt {
   std::optional<PerturbedPair<dim>> pair;
-  Unsolvable why;  ///< if there is none
+  std::string reason;  ///< if there is none, as one of the four has no solution: one line
 };
 
 /// \param s > 0   \param closed contact facets expected to be closed in the two problems
@@ -55,14 +48,11 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
                         const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
                         const std::array<Closed, 2>& closed);
 
-/// The bounds of J that a pair gives.
+/// The bound that a pair gives, of J from above (`sign` 1) or of −J (−1).
 template <int dim>
-FunctionalBound upper_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
-                            const PerturbedPair<dim>& pair);
-/// Of −J.
-template <int dim>
-FunctionalBound lower_bound(const scene::Problem<dim>& problem, std::shared_ptr<const scene::Perturbation<dim>> by,
-                            const PerturbedPair<dim>& pair);
+FunctionalBound functional_bound(const scene::Problem<dim>& problem,
+                                 const std::shared_ptr<const scene::Perturbation<dim>>& by,
+                                 const PerturbedPair<dim>& pair, int sign);
 
 /// One bound alone, for functionals that have no other: of f J / |f| from above, with stresses of the problem with
 /// loads f and displacements of that with kinematics f, the loads of the other left out. \return not valid, with a

@@ -12,7 +12,6 @@ using scene::Perturbation;
 using scene::Problem;
 using scene::Quantity;
 using scene::Support;
-using scene::TwofoldVector;
 using scene::Vector;
 
 namespace {

@@ -9,8 +9,6 @@ namespace bracket::bounds {
 
 namespace {
 
-double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
-
 /// Where (a + b s² + c s³)/s is least: the a of the unperturbed fields, what the differences add, and what a moving
 /// contact adds to the means, both by what they are at s.
 double predicted(double a, double of_means, double of_differences, double s) {
@@ -30,12 +28,12 @@ double predicted(double a, double of_means, double of_differences, double s) {
 
 }  // namespace
 
+double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
+
 template <int dim>
 Attempt<dim> best_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
                        const std::shared_ptr<const scene::Perturbation<dim>>& by, const Guess& guess, double a,
                        int most) {
-  // From 1 down to what rounding drowns: a perturbation of relative size 2⁻⁶⁰.
-  constexpr int smallest = -120;
   double next = guess.s == 0 ? 1 : power_of_two(guess.s), too_large = std::numeric_limits<double>::infinity();
   std::array<Closed, 2> closed = guess.closed;
   // What the energies' certificate shows of rounding is in the interval, too. Perturbations that dwarf the problem
@@ -48,12 +46,12 @@ Attempt<dim> best_pair(const scene::Problem<dim>& problem, const Solvers<dim>& s
   std::vector<double> seen;
   Attempt<dim> best;
   for (int tried = 0; tried < most;) {
-    if (next < std::exp2(smallest)) break;
+    if (next < smallest_factor) break;
     Attempt<dim> attempt = solve_pair(problem, solvers, by, next, closed);
     if (!attempt.pair) {
       too_large = next;
       next /= best.pair ? 2 : 8;
-      if (!best.pair) best.why = attempt.why;
+      if (!best.pair) best.reason = attempt.reason;
       if (best.pair && next <= best.pair->s) break;
       continue;
     }

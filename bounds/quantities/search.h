@@ -13,6 +13,10 @@ struct Guess {
   std::array<Closed, 2> closed = {};
 };
 
+/// The factors that are tried: powers of two, down to where rounding drowns the perturbation.
+inline constexpr double smallest_factor = 0x1p-120;
+double power_of_two(double x);  ///< the nearest by its logarithm. \pre x > 0
+
 /// The pair with the least width that was found among powers of two. An s for which one of the four problems has no
 /// solution is too large, and is made smaller.
 /// \param a what A is of the unperturbed fields: the sum of their indicators, contact twice
