@@ -49,13 +49,12 @@ std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const Eigen
 /// Motions y that the supports leave, that open contacts or leave them, G y ≤ 0, and are free of work, eᵀy = 0: the
 /// solution may be moved by them, and with it Q by Q(y). By Farkas' lemma there is none with Q(y) > 0 if and only if
 /// Gᵀp − τ e = q for some p ≥ 0, τ ≥ 0.
-Undetermined undetermined(const scene::Problem<2>& problem, const scene::Perturbation<2>& perturbation) {
+Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_ptr<const scene::Perturbation<2>>& by) {
   const FreeMotions<2> all = all_free_motions(problem);
   Undetermined result;
   if (all.motion.empty()) return result;
-  scene::Problem<2> with = problem;
-  with.perturbed.by = std::make_shared<const scene::Perturbation<2>>(perturbation);
-  const LoadWork own = load_work(problem, all), added = load_work(perturbation_alone(with, with.carries), all);
+  const LoadWork own = load_work(problem, all),
+                 added = load_work(perturbation_alone(problem, by, problem.carries), all);
   if (added.size == 0) return result;
   const Eigen::MatrixXd contact = approaches(problem, all);
   Eigen::MatrixXd rows(contact.rows() + 1, contact.cols());
@@ -88,8 +87,8 @@ template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene,
     if (one.quantity.kind == QuantityKind::energy && free_energy(problem) != FreeEnergy::none) continue;
     const Functionals<dim> functional = functionals(scene, problem, one.quantity);
     if (one.quantity.kind == QuantityKind::energy) continue;  // of no motion
-    const Undetermined below = undetermined(problem, *functional.below),
-                       above = undetermined(problem, *functional.above);
+    const Undetermined below = undetermined(problem, functional.below);
+    const Undetermined above = functional.above == functional.below ? below : undetermined(problem, functional.above);
     one.undetermined = {below.below, above.above, below.below ? below.motion : above.motion};
     if (one.undetermined.below && one.undetermined.above)
       scene::fail(scene::Status::ill_posed, one.quantity.where,

@@ -147,14 +147,7 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
       problem.facets[facet].correction[end] += added;
       largest = std::max(largest, added.norm());
     }
-  double size = 0;
-  for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support == Support::traction)
-      for (const auto& end : scene::load(problem, static_cast<int>(f))) size = std::max(size, end.norm());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    size =
-        std::max(size, body_of(problem, static_cast<int>(c)).force.norm() * scene::volume(mesh, static_cast<int>(c)));
-  problem.imbalance = largest > 0 ? largest / size : 0;
+  problem.imbalance = largest > 0 ? largest / largest_load(problem) : 0;
   return problem;
 }
 

@@ -42,7 +42,8 @@ std::string scientific(double value, int decimals, bool away) {
 }
 
 int exponent_of(double value) {
-  return std::stoi(fmt::format("{:.17e}", value).substr(fmt::format("{:.17e}", value).find('e') + 1));
+  const std::string text = fmt::format("{:.17e}", value);
+  return std::stoi(text.substr(text.find('e') + 1));
 }
 
 /// \param last the place of the last digit, as a power of ten

@@ -23,6 +23,22 @@ std::vector<Corrected<Enclosure>> sum(std::vector<Corrected<Enclosure>> base, do
 
 }  // namespace
 
+namespace {
+
+/// What the loads of the perturbation lack of balance along motions that nothing holds, where there are any.
+Corrections<Enclosure> functional_corrections(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
+  const scene::Problem<2>& first = scene::first_of(problem);
+  if (first.corrections.empty()) return {};
+  const scene::Problem<2> alone =
+      perturbation_alone(first, problem.perturbed.by, carrying_pairs(problem, plain_loads(problem, stress)));
+  Corrections<Enclosure> added = corrected<Enclosure, LongSum>(alone);
+  if (added.reason.empty() && !are_rounding(alone, added.loads))
+    added.reason = "the functional does work in a motion that nothing holds";
+  return added;
+}
+
+}  // namespace
+
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                     const scene::Stress<dim>& stress) {
@@ -51,11 +67,9 @@ FunctionalBound certify_functional(const scene::Problem<dim>& problem, const sce
   const auto& [by, factor, kinematics] = problem.perturbed;
   if (!by || factor != kinematics || factor == 0) return {.reason = "the problem is not perturbed by one factor"};
   const auto [own, unbalanced] = corrected<Enclosure, LongSum>(scene::first_of(problem));
-  const scene::Problem<dim> alone = perturbation_alone(problem, carrying_pairs(problem, plain_loads(problem, stress)));
-  const auto [added, also_unbalanced] = corrected<Enclosure, LongSum>(alone);
-  if (!unbalanced.empty() || !also_unbalanced.empty())
-    return {.reason = unbalanced.empty() ? also_unbalanced : unbalanced};
-  if (!are_rounding(alone, added)) return {.reason = "the functional does work in a motion that nothing holds"};
+  if (!unbalanced.empty()) return {.reason = unbalanced};
+  const auto [added, also_unbalanced] = functional_corrections(problem, stress);
+  if (!also_unbalanced.empty()) return {.reason = also_unbalanced};
   const auto [reason, above, below] = both_sides(problem, sum(own, factor, added), displacement, stress);
   if (!reason.empty()) return {.reason = reason};
 

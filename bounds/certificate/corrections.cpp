@@ -7,6 +7,19 @@
 
 namespace bracket::bounds {
 
+double largest_load(const scene::Problem<2>& problem) {
+  const auto& mesh = problem.mesh;
+  double largest = 0;
+  for (std::size_t f = 0; f < problem.facets.size(); ++f)
+    if (scene::is_loaded(problem.facets[f]))
+      for (const auto& end : scene::load(problem, static_cast<int>(f))) largest = std::max(largest, end.norm());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    largest = std::max(largest, body_of(problem, cell).force.norm() * scene::volume(mesh, cell));
+  }
+  return largest;
+}
+
 PlainLoads assumed_loads(const scene::Problem<2>& first) {
   PlainLoads assumed = no_loads(first);
   for (const auto& pair : first.contact)

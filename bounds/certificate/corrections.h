@@ -14,6 +14,9 @@ namespace bracket::bounds {
 bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
                         const std::vector<char>& carrying);
 
+/// The largest of all loads: at the ends of facets per unit of their parameter, and of the weights of cells.
+double largest_load(const scene::Problem<2>& problem);
+
 /// Those on the first mesh, with unit pressures where the corrections count on a pair: what reactions() chooses from.
 PlainLoads assumed_loads(const scene::Problem<2>& first);
 

@@ -3,8 +3,9 @@
 
 namespace bracket::bounds {
 
-scene::Problem<2> perturbation_alone(const scene::Problem<2>& problem, std::vector<char> carrying) {
-  scene::Problem<2> bare = scene::first_of(problem);
+scene::Problem<2> perturbation_alone(const scene::Problem<2>& first, std::shared_ptr<const scene::Perturbation<2>> by,
+                                     std::vector<char> carrying) {
+  scene::Problem<2> bare = first;
   bare.carries = std::move(carrying);
   for (auto& body : bare.bodies) body.force.setZero();
   for (auto& facet : bare.facets) {
@@ -12,21 +13,16 @@ scene::Problem<2> perturbation_alone(const scene::Problem<2>& problem, std::vect
     facet.pressure = {0, 0};
     facet.correction = facet.traction;
   }
-  return scene::perturbed(bare, problem.perturbed.by, 1, 0);
+  return scene::perturbed(bare, std::move(by), 1, 0);
 }
 
 bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<Enclosure>>& corrections) {
-  double size = 0, most = 0;
-  for (std::size_t f = 0; f < alone.facets.size(); ++f)
-    for (const auto& end : scene::load(alone, static_cast<int>(f))) size = std::max(size, end.norm());
-  for (std::size_t c = 0; c < alone.mesh.cells.size(); ++c)
-    size = std::max(size,
-                    body_of(alone, static_cast<int>(c)).force.norm() * scene::volume(alone.mesh, static_cast<int>(c)));
+  double most = 0;
   for (const auto& [facet, load] : corrections)
     for (const auto& end : load) most = std::max({most, magnitude(end.x), magnitude(end.y)});
   // Resultants of rounded data, of as many terms as there are facets and cells.
   const auto terms = static_cast<double>(alone.mesh.boundary.size() + alone.mesh.cells.size()) + 64;
-  return most <= 4 * std::numeric_limits<double>::epsilon() * terms * terms * size;
+  return most <= 4 * std::numeric_limits<double>::epsilon() * terms * terms * largest_load(alone);
 }
 
 }  // namespace bracket::bounds

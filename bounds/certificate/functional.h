@@ -9,8 +9,9 @@ namespace bracket::bounds {
 
 /// The first mesh with the loads of the perturbation alone, which corrections are to balance along motions on which
 /// neither supports act nor pairs that carry.
-/// \param carrying of each pair, in the perturbed problem
-scene::Problem<2> perturbation_alone(const scene::Problem<2>& problem, std::vector<char> carrying);
+/// \param first the problem that is perturbed, on its first mesh   \param carrying of each pair, when perturbed
+scene::Problem<2> perturbation_alone(const scene::Problem<2>& first, std::shared_ptr<const scene::Perturbation<2>> by,
+                                     std::vector<char> carrying);
 
 /// Whether corrections are but rounding of the perturbation's loads; else it does work in a motion that nothing holds.
 bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<Enclosure>>& corrections);
@@ -29,8 +30,10 @@ Number perturbing_work(const scene::Problem<2>& problem, const std::vector<Verte
       work.add(cell_work(problem, field, all, vector2<Number>(force), static_cast<int>(c)));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
+    const bool loaded = has_perturbing_load(problem, facet);
+    if (!loaded && corrections.empty()) continue;
     FacetLoad<Number> load;
-    if (has_perturbing_load(problem, facet)) load = perturbing_load<Number>(problem, facet);
+    if (loaded) load = perturbing_load<Number>(problem, facet);
     add_corrections(problem, corrections, facet, load);
     work.add(facet_work<Number>(mesh, field, all, facet, load));
   }

@@ -122,11 +122,13 @@ template <class Number> FacetLoad<Number> perturbing_load(const scene::Problem<2
                                added.pressure);
 }
 /// Whether it has anything there.
-inline bool has_perturbing_load(const scene::Problem<2>& problem, int facet) {
-  if (!problem.perturbed.by) return false;
-  const auto& added = problem.perturbed.by->facets[scene::piece_of_facet(problem, facet).of];
+inline bool is_loaded(const scene::Perturbation<2>::Facet& added) {
   return !added.traction[0].is_zero() || !added.traction[1].is_zero() || added.pressure[0] != 0 ||
          added.pressure[1] != 0;
+}
+inline bool has_perturbing_load(const scene::Problem<2>& problem, int facet) {
+  const auto& by = problem.perturbed.by;
+  return by && is_loaded(by->facets[scene::piece_of_facet(problem, facet).of]);
 }
 /// What it has on a contact facet along d on the first side, against it on the second, at the first facet's vertices.
 template <class Number>

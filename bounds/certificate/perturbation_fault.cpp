@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/certificate/geometry.h"
 #include "bounds/certificate/problem_faults.h"
 
 namespace bracket::bounds {
@@ -44,17 +45,10 @@ std::string perturbation_fault(const Problem<2>& problem) {
     return "perturbation and first mesh differ in number";
   if (!std::isfinite(loads) || !std::isfinite(kinematics) || !is_finite(*by)) return "the perturbation is not finite";
   for (std::size_t f = 0; f < first.facets.size(); ++f) {
-    const auto& added = by->facets[f];
-    const bool loaded = !added.traction[0].is_zero() || !added.traction[1].is_zero() || added.pressure[0] != 0 ||
-                        added.pressure[1] != 0;
-    if (loaded && first.facets[f].support != Support::traction)
+    if (is_loaded(by->facets[f]) && first.facets[f].support != Support::traction)
       return fmt::format("the perturbation loads boundary facet {}, which is supported or in contact", f);
   }
-
-  std::vector<std::array<int, 2>> at(first.mesh.vertices.size(), {-1, -1});  // the facet that ends there, and begins
-  for (std::size_t f = 0; f < first.facets.size(); ++f)
-    for (int i = 0; i < 2; ++i) at[first.mesh.boundary[f].vertices[i]][1 - i] = static_cast<int>(f);
-  for (const auto& [ends, begins] : at) {
+  for (const auto& [ends, begins] : facets_that_meet(first.mesh)) {
     if (ends < 0 || begins < 0) continue;
     const auto &in = first.facets[ends], &out = first.facets[begins];
     const bool clamped = in.support == Support::fixed && out.support == Support::fixed;

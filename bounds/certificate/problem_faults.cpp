@@ -276,10 +276,7 @@ std::string load_fault(const Problem<2>& first) {
 
 /// Facets that meet at a vertex of the first mesh must prescribe the same there.
 std::string support_fault(const Problem<2>& first) {
-  std::vector<std::array<int, 2>> at(first.mesh.vertices.size(), {-1, -1});  // the facet that ends there, and begins
-  for (std::size_t f = 0; f < first.facets.size(); ++f)
-    for (int i = 0; i < 2; ++i) at[first.mesh.boundary[f].vertices[i]][1 - i] = static_cast<int>(f);
-  for (const auto& [ends, begins] : at) {
+  for (const auto& [ends, begins] : facets_that_meet(first.mesh)) {
     if (ends < 0 || begins < 0) continue;
     const auto &in = first.facets[ends], &out = first.facets[begins];
     const bool both_fixed = in.support == Support::fixed && out.support == Support::fixed;
@@ -293,6 +290,13 @@ std::string support_fault(const Problem<2>& first) {
 }
 
 }  // namespace
+
+std::vector<std::array<int, 2>> facets_that_meet(const scene::Mesh<2>& mesh) {
+  std::vector<std::array<int, 2>> at(mesh.vertices.size(), {-1, -1});
+  for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
+    for (int i = 0; i < 2; ++i) at[mesh.boundary[f].vertices[i]][1 - i] = static_cast<int>(f);
+  return at;
+}
 
 std::string problem_fault(const Problem<2>& problem) {
   const Problem<2>& first = scene::first_of(problem);

@@ -22,6 +22,9 @@ namespace bracket::bounds {
 /// are what the user meant; and that functions over intervals, and so enclosed_gap(), enclose what they say.
 std::string problem_fault(const scene::Problem<2>& problem);
 
+/// Of each vertex, the boundary facet that ends there and the one that begins; −1: none.
+std::vector<std::array<int, 2>> facets_that_meet(const scene::Mesh<2>& mesh);
+
 /// A part of it, empty for a problem that is not perturbed: what is added to the data fits the first mesh, is finite,
 /// loads Γ_τ alone (and contacts by their opening), and is made of traces of finite energy: displacements that are one
 /// at a vertex, and ψ that does not jump along a contact line.

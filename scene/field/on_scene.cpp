@@ -31,9 +31,7 @@ Trial on_mesh(Problem<2> problem, int refinements, const std::filesystem::path& 
 std::optional<Trial> finer(const Trial& trial, std::size_t max_cells, const std::filesystem::path& file) {
   const Mesh<2>& mesh = trial.problem.mesh;
   if (4 * mesh.cells.size() > max_cells) return {};
-  Problem<2> problem = refine(trial.problem, std::vector<char>(mesh.cells.size(), 1)).problem;
-  problem.mesh.notes = mesh.notes;
-  return on_mesh(std::move(problem), trial.refinements + 1, file);
+  return on_mesh(refine(trial.problem, std::vector<char>(mesh.cells.size(), 1)).problem, trial.refinements + 1, file);
 }
 
 /// Whether the file's nodes are those of the mesh.
