@@ -4,8 +4,6 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,8 +11,8 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <thread>
 
+#include "scene/process.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -29,48 +27,32 @@ std::filesystem::path path_of(const std::string& program) {
   return std::filesystem::path(library.dli_fname).parent_path() / "bracket" / program;
 }
 
+/// A descriptor, closed with the object.
+struct Opened {
+  int number;
+  Opened(const char* path, int mode) : number(open(path, mode | O_CLOEXEC, 0600)) {}
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
+  ~Opened() {
+    if (number >= 0) close(number);
+  }
+};
+
 /// Runs a program; what it says on standard error goes to a file.
 /// \param reader the library that it runs, for messages   \return how it failed; empty: it did not
 std::string failure(const std::vector<std::string>& command, const std::string& reader,
                     const std::filesystem::path& complaints, std::chrono::seconds limit) {
-  posix_spawn_file_actions_t streams;
-  posix_spawn_file_actions_init(&streams);
-  posix_spawn_file_actions_addopen(&streams, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&streams, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&streams, STDERR_FILENO, complaints.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawnattr_t manners;  // it dies of the signals that we may ignore
-  posix_spawnattr_init(&manners);
-  sigset_t ignored;
-  sigemptyset(&ignored);
-  sigaddset(&ignored, SIGPIPE);
-  sigaddset(&ignored, SIGXFSZ);
-  posix_spawnattr_setsigdefault(&manners, &ignored);
-  posix_spawnattr_setflags(&manners, POSIX_SPAWN_SETSIGDEF);
-  std::vector<std::string> words = command;
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t id = 0;
-  const int error = posix_spawn(&id, arguments[0], &streams, &manners, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&streams);
-  posix_spawnattr_destroy(&manners);
-  if (error != 0) return fmt::format("{} cannot be started: {}", command[0], std::strerror(error));
-
-  const auto end = std::chrono::steady_clock::now() + limit;
-  int status = 0;
-  for (pid_t ended; (ended = waitpid(id, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR);) {
-    if (std::chrono::steady_clock::now() >= end) {
-      kill(id, SIGKILL);
-      while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
-      }
-      return fmt::format("{} did not end within {} s", reader, limit.count());
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  if (WIFSIGNALED(status)) return fmt::format("{} crashed: {}", reader, strsignal(WTERMSIG(status)));
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return "";
-  const std::string said = read_text(complaints);
-  return reader + ": " + (said.empty() ? "it does not say why" : said);
+  const Opened in("/dev/null", O_RDONLY), out("/dev/null", O_WRONLY), said(complaints.c_str(), O_WRONLY | O_CREAT);
+  const bool opened = in.number >= 0 && out.number >= 0 && said.number >= 0;
+  const int fault = errno;
+  const Process process = opened ? start(command, in.number, out.number, said.number, false) : Process{.error = fault};
+  if (process.error != 0) return fmt::format("{} cannot be started: {}", command[0], std::strerror(process.error));
+  const std::optional<int> status = status_of(process, std::chrono::steady_clock::now() + limit);
+  if (!status) return fmt::format("{} did not end within {} s", reader, limit.count());
+  if (WIFSIGNALED(*status)) return fmt::format("{} crashed: {}", reader, strsignal(WTERMSIG(*status)));
+  if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return "";
+  const std::string reason = read_text(complaints);
+  return reader + ": " + (reason.empty() ? "it does not say why" : reason);
 }
 
 }  // namespace

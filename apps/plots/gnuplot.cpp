@@ -1,19 +1,15 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "apps/plots/picture.h"
-#include "contact/clock.h"
+#include "scene/process.h"
 
 namespace bracket::apps {
 namespace {
@@ -24,44 +20,27 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;  // without a name: it goes with its last descriptor
 
 /// gnuplot at work, from file to file: with pipes it could wait for us while we wait for it.
-struct Process {
-  int error = 0;  // of starting it
-  pid_t id = 0;
+struct Plot {
+  scene::Process process;
   File in, out, complaint;
 };
 
-Process start(const std::string& script) {
-  Process process{0, 0, File(std::tmpfile()), File(std::tmpfile()), File(std::tmpfile())};
-  if (!process.in || !process.out || !process.complaint) {
-    process.error = errno;
-    return process;
+Plot start(const std::string& script) {
+  Plot plot{{}, File(std::tmpfile()), File(std::tmpfile()), File(std::tmpfile())};
+  if (!plot.in || !plot.out || !plot.complaint) {
+    plot.process.error = errno;
+    return plot;
   }
-  const bool written = std::fwrite(script.data(), 1, script.size(), process.in.get()) == script.size();
-  if (!written || std::fflush(process.in.get()) != 0) {
-    process.error = errno;
-    return process;
+  const bool written = std::fwrite(script.data(), 1, script.size(), plot.in.get()) == script.size();
+  if (!written || std::fflush(plot.in.get()) != 0) {
+    plot.process.error = errno;
+    return plot;
   }
-  std::rewind(process.in.get());
-  posix_spawn_file_actions_t streams;
-  posix_spawn_file_actions_init(&streams);
-  posix_spawn_file_actions_adddup2(&streams, fileno(process.in.get()), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&streams, fileno(process.out.get()), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&streams, fileno(process.complaint.get()), STDERR_FILENO);
-  posix_spawnattr_t manners;  // it dies of the signals that we ignore, and its group with it
-  posix_spawnattr_init(&manners);
-  sigset_t ignored;
-  sigemptyset(&ignored);
-  sigaddset(&ignored, SIGPIPE);
-  sigaddset(&ignored, SIGXFSZ);
-  posix_spawnattr_setsigdefault(&manners, &ignored);
-  posix_spawnattr_setpgroup(&manners, 0);
-  posix_spawnattr_setflags(&manners, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  char program[] = "gnuplot", defaults[] = "-d";  // -d: not what the user's own start-up file says
-  char* const arguments[] = {program, defaults, nullptr};
-  process.error = posix_spawnp(&process.id, program, &streams, &manners, arguments, environ);
-  posix_spawn_file_actions_destroy(&streams);
-  posix_spawnattr_destroy(&manners);
-  return process;
+  std::rewind(plot.in.get());
+  // -d: not what the user's own start-up file says. In a group of its own, as it starts programs itself.
+  plot.process = scene::start({"gnuplot", "-d"}, fileno(plot.in.get()), fileno(plot.out.get()),
+                              fileno(plot.complaint.get()), true);
+  return plot;
 }
 
 std::string content(std::FILE* file) {
@@ -88,28 +67,21 @@ bool is_whole(const std::string& picture) {
   return picture.ends_with("</svg>\n") || picture.ends_with("</svg>\n\n") || picture.ends_with("IEND\xae\x42\x60\x82");
 }
 
-/// \param limit seconds, \param clock since all were started
-Ended wait(const Process& process, const Clock& clock, double limit) {
+/// \param end when it has to have ended, `limit` after all were started
+Ended wait(const Plot& plot, std::chrono::steady_clock::time_point end, std::chrono::seconds limit) {
+  const scene::Process& process = plot.process;
   if (process.error != 0) return {"", fmt::format("gnuplot cannot be started: {}", std::strerror(process.error))};
-  int status = 0;
-  for (pid_t ended; (ended = waitpid(process.id, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR);) {
-    if (clock.seconds() >= limit) {
-      kill(-process.id, SIGKILL);  // with what it may have started
-      while (waitpid(process.id, &status, 0) < 0 && errno == EINTR) {
-      }
-      return {"", fmt::format("gnuplot did not end within {:g} s", limit)};
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  if (WIFSIGNALED(status)) return {"", fmt::format("gnuplot was ended: {}", strsignal(WTERMSIG(status)))};
-  std::string picture = content(process.out.get());
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty())
-    return {"", "gnuplot failed: " + last_line(content(process.complaint.get()))};
+  const std::optional<int> status = scene::status_of(process, end);
+  if (!status) return {"", fmt::format("gnuplot did not end within {} s", limit.count())};
+  if (WIFSIGNALED(*status)) return {"", fmt::format("gnuplot was ended: {}", strsignal(WTERMSIG(*status)))};
+  std::string picture = content(plot.out.get());
+  if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || picture.empty())
+    return {"", "gnuplot failed: " + last_line(content(plot.complaint.get()))};
   if (!is_whole(picture)) return {"", "gnuplot failed: the picture is cut short"};
   return {std::move(picture), ""};
 }
 
-Process start(const Picture& picture, const char* terminal) {
+Plot start(const Picture& picture, const char* terminal) {
   return start(
       fmt::format("set encoding utf8\nset terminal {} size {},{} enhanced font 'sans-serif,14' "
                   "background '#ffffff'\n{}",
@@ -119,18 +91,17 @@ Process start(const Picture& picture, const char* terminal) {
 }  // namespace
 
 Drawings draw(const std::vector<Picture>& pictures, bool png, std::chrono::seconds limit) {
-  const Clock clock;
-  std::vector<Process> svgs, pngs;
+  const auto end = std::chrono::steady_clock::now() + limit;
+  std::vector<Plot> svgs, pngs;
   for (const Picture& picture : pictures) {
     svgs.push_back(start(picture, "svg"));
     if (png) pngs.push_back(start(picture, "pngcairo"));
   }
   Drawings drawings;
-  if (!svgs.empty() && svgs[0].error == ENOENT) drawings.missing = {"pictures: gnuplot is not installed"};
+  if (!svgs.empty() && svgs[0].process.error == ENOENT) drawings.missing = {"pictures: gnuplot is not installed"};
   if (!drawings.missing.empty()) return drawings;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const auto seconds = static_cast<double>(limit.count());
-    Ended svg = wait(svgs[i], clock, seconds), bitmap = png ? wait(pngs[i], clock, seconds) : Ended{};
+    Ended svg = wait(svgs[i], end, limit), bitmap = png ? wait(pngs[i], end, limit) : Ended{};
     if (svg.fault.empty())
       drawings.drawn.push_back(
           {pictures[i].name, pictures[i].caption, std::move(svg.picture), std::move(bitmap.picture), pictures[i].wide});
