@@ -71,7 +71,7 @@ template <int dim> struct Observer {
 /// The problem, which is solvable, with its loads in balance to the last bit along all motions that nothing holds: what
 /// they lack of it is taken off (Problem::corrections), where rounding of the loads, the coordinates and the directions
 /// explains it. Prescribed displacements keep the contact, and pressures can balance the loads [HH81 (1.16)].
-/// \param problem on its first mesh; corrections that it has are made anew   \param degree of the displacements, 1 or 2
+/// \param problem on its first mesh; corrections that it has are made anew   \param degree of the displacements, 1 to 4
 /// \throw scene::Error (ill_posed), with the place on the contact or with the body, the motion and both forces
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree);
 

@@ -25,7 +25,7 @@ void solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, b
     solved.dual = dual::uzawa(meshed.problem, particular_stress(meshed.problem),
                               [&] { return run_clock.seconds() >= scene.refine.max_seconds; });
   if (uzawa && !keep) return;
-  auto solver = std::make_shared<const dual::Solver<dim>>(meshed.problem);
+  auto solver = std::make_shared<const dual::Solver<dim>>(meshed.problem, scene::stress_degree(scene.solve.degree));
   if (!uzawa) solved.dual = solver->solve(meshed.problem, meshed.dual_closed);
   if (keep) solved.solvers.stresses = std::move(solver);
 }
@@ -60,7 +60,7 @@ template <int dim> struct Pair {
 /// Where nothing is strained λ = 0 is the best stress and, if it is admissible, a translation of all bodies alike a
 /// displacement without rounding: none, or the one that some vertex is held by.
 template <int dim> Pair<dim> at_rest(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
-  const scene::Stress<dim> stress = no_stress(problem.mesh);
+  const scene::Stress<dim> stress = no_stress(problem.mesh, scene::stress_degree(displacement.degree));
   Pair<dim> best{displacement, stress, certify(problem, displacement, stress)};
   std::vector<scene::Vector<dim>> translations = {scene::Vector<dim>::Zero()};
   for (const auto& facet : problem.facets)
@@ -89,11 +89,12 @@ template <int dim>
 double rounding_of_solution(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                             const scene::Stress<dim>& stress) {
   const double size = 8 * std::numeric_limits<double>::epsilon() * largest_motion(problem, displacement);
-  double energy = energy_of_noise(problem, size);
+  double energy = energy_of_noise(problem, displacement.degree, size);
   const auto states = contact_state(problem, displacement, stress);
   for (std::size_t j = 0; j < states.size(); ++j) {
-    const auto& [p0, p1] = states[j].pressure;
-    energy += scene::length(problem.mesh, problem.contact[j].first) * (std::abs(p0) + std::abs(p1)) / 2 * size;
+    double pressure = 0;  // coefficient by coefficient not below the mean of its size
+    for (const double p : states[j].pressure) pressure += std::abs(p) / static_cast<double>(states[j].pressure.size());
+    energy += scene::length(problem.mesh, problem.contact[j].first) * pressure * size;
   }
   return energy;
 }

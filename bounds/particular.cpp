@@ -11,10 +11,8 @@ namespace {
 /// The loads of the data alone, with reactions; pressures may be taken anywhere.
 EdgeLoads<Enclosure> held(const scene::Problem<2>& problem, const std::vector<Reference>& about) {
   const auto [corrections, reason] = corrected<Enclosure, LongSum>(scene::first_of(problem));
-  PlainLoads pressed = no_loads(problem);
-  for (const auto& pair : problem.contact) pressed.along_normal[pair.first] = {1, 1};
   EdgeLoads<Enclosure> loads = loads_of<Enclosure>(problem, no_loads(problem), corrections);
-  const std::vector<Reaction> chosen = reactions(problem, about, pressed, {});
+  const std::vector<Reaction> chosen = reactions(problem, about, no_loads(problem, 1), {});
   const auto amounts = amounts_that_hold<Enclosure, LongSum>(problem, about, chosen, loads);
   if (!reason.empty() || !amounts)
     throw scene::Error(scene::Status::not_guaranteed,
@@ -33,7 +31,8 @@ template <int dim> scene::Stress<dim> particular_stress(const scene::Problem<dim
   stress.cell.resize(problem.mesh.cells.size());
   for (std::size_t c = 0; c < stress.cell.size(); ++c) {
     const int cell = static_cast<int>(c);
-    const auto parts = block_stress(problem, loaded_cell(problem, loads, cell), cell);
+    stress.cell[c].resize(9);
+    const auto parts = block_stress(problem, loads, loaded_cell(problem, loads, cell), cell);
     for (int i = 0; i < 3; ++i)  // the side i → i + 1 lies opposite to corner i + 2
       for (int corner = 0; corner < 3; ++corner)
         for (int k = 0; k < 3; ++k)

@@ -18,13 +18,18 @@ using scene::Voigt;
 
 namespace {
 
-/// Adds what a traction, given at a facet's vertices and linear between, exerts there.
-void add(Resultant<2>& sum, const scene::Mesh<2>& mesh, int facet, const std::array<Vector<2>, 2>& t) {
+/// Adds what a traction, given by Bernstein coefficients along a facet, exerts there.
+void add(Resultant<2>& sum, const scene::Mesh<2>& mesh, int facet, const std::vector<Vector<2>>& t) {
   const auto& [v, w] = mesh.boundary[facet].vertices;
-  const Vector<2> a = mesh.vertices[v] - sum.about, b = mesh.vertices[w] - sum.about;
+  const std::array<Vector<2>, 2> arm = {mesh.vertices[v] - sum.about, mesh.vertices[w] - sum.about};
   const double length = scene::length(mesh, facet);
-  sum.force += length / 2 * (t[0] + t[1]);
-  sum.moment += length / 6 * (cross(2 * a + b, t[0]) + cross(a + 2 * b, t[1]));
+  const int degree = static_cast<int>(t.size()) - 1;
+  for (int k = 0; k <= degree; ++k)
+    for (int i = 0; i < 2; ++i) {
+      const double mass = length * scene::number<double>(scene::bernstein_mass(degree, k, 1, i));
+      sum.force += mass * t[k];
+      sum.moment += mass * cross(arm[i], t[k]);
+    }
 }
 
 }  // namespace
@@ -60,12 +65,18 @@ ContactResult<dim> contact_result(const scene::Problem<dim>& problem, const scen
     const Vector<dim>& d = problem.facets[facet].normal;
     const double length = scene::length(mesh, facet);
     result.length += length;
-    if (pressure[j][0] > 0 || pressure[j][1] > 0) result.pressed_length += length;
-    add(result.resultant, mesh, facet, {Vector<dim>(-pressure[j][0] * d), Vector<dim>(-pressure[j][1] * d)});
-    for (int end = 0; end < 2; ++end) {
-      if (pressure[j][end] <= result.largest_pressure) continue;
-      result.largest_pressure = pressure[j][end];
-      result.at = mesh.vertices[mesh.boundary[facet].vertices[end]];
+    const auto& own = pressure[j];
+    if (std::ranges::any_of(own, [](double p) { return p > 0; })) result.pressed_length += length;
+    std::vector<Vector<dim>> traction;
+    for (const double p : own) traction.push_back(-p * d);
+    add(result.resultant, mesh, facet, traction);
+    const int points = 4 * (stress.degree - 1) + 1;  // linear ones are largest at an end
+    for (int i = 0; i <= points; ++i) {
+      const double t = static_cast<double>(i) / points, p = scene::value_on_segment(own, t);
+      if (p <= result.largest_pressure) continue;
+      const auto& [a, b] = scene::positions(mesh, mesh.boundary[facet].vertices);
+      result.largest_pressure = p;
+      result.at = i == points ? b : Vector<dim>(a + t * (b - a));
     }
   }
   if (result.length == 0)
@@ -86,9 +97,10 @@ LargestDisplacement<dim> largest_displacement(const scene::Problem<dim>& problem
     }
   };
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) include(displacement.vertex[v], mesh.vertices[v]);
-  for (std::size_t e = 0; e < displacement.edge.size(); ++e) {
-    const Vector<dim>&a = mesh.vertices[mesh.edges[e][0]], &b = mesh.vertices[mesh.edges[e][1]];
-    include(displacement.edge[e], a + (b - a) / 2);
+  const int n = scene::n_inside_edge(displacement.degree);
+  for (std::size_t i = 0; i < displacement.edge.size(); ++i) {
+    const auto& [a, b] = scene::positions(mesh, mesh.edges[i / n]);
+    include(displacement.edge[i], a + static_cast<double>(i % n + 1) / displacement.degree * (b - a));
   }
   return largest;
 }
@@ -114,20 +126,17 @@ std::optional<std::array<double, 3>> inside(const scene::Mesh<2>& mesh, int cell
 
 Vector<2> displacement_at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
                           const std::array<double, 3>& l) {
-  Vector<2> u = Vector<2>::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const bool linear = displacement.degree == 1;
-    u += (linear ? l[k] : l[k] * (2 * l[k] - 1)) * displacement.vertex[mesh.cells[cell][k]];
-    if (!linear) u += 4 * l[(k + 1) % 3] * l[(k + 2) % 3] * displacement.edge[mesh.cell_edges[cell][k]];
-  }
+  Vector<2> u = scene::value_on_triangle(scene::offsets_on_cell(mesh, displacement, cell), displacement.degree, l);
+  for (int k = 0; k < 3; ++k) u += l[k] * displacement.vertex[mesh.cells[cell][k]];
   return u;
 }
 
 /// Part k is where coordinate k is the least; there x = 3 l_k centroid + Σ (l_i − l_k) vertex i.
-Voigt<2> stress_at(const std::array<Voigt<2>, 9>& corners, const std::array<double, 3>& l) {
+Voigt<2> stress_at(const scene::Stress<2>& stress, int cell, const std::array<double, 3>& l) {
   const int k = static_cast<int>(std::min_element(l.begin(), l.end()) - l.begin());
-  return (l[(k + 1) % 3] - l[k]) * corners[3 * k] + (l[(k + 2) % 3] - l[k]) * corners[3 * k + 1] +
-         3 * l[k] * corners[3 * k + 2];
+  const auto part = scene::stress_of_part(stress, cell, k);
+  return scene::value_on_triangle(std::vector<Voigt<2>>(part.begin(), part.end()), stress.degree,
+                                  {l[(k + 1) % 3] - l[k], l[(k + 2) % 3] - l[k], 3 * l[k]});
 }
 
 }  // namespace
@@ -141,7 +150,8 @@ std::optional<PointValues<dim>> values_at(const scene::Problem<dim>& problem,
     if (!l) continue;
     const auto s = displacement_stress(problem, displacement, cell);
     return PointValues<dim>{cell, displacement_at(problem.mesh, displacement, cell, *l),
-                            (*l)[0] * s[0] + (*l)[1] * s[1] + (*l)[2] * s[2], stress_at(stress.cell[cell], *l)};
+                            scene::value_on_triangle(s, scene::stress_degree(displacement.degree), *l),
+                            stress_at(stress, cell, *l)};
   }
   return {};
 }

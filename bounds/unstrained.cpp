@@ -17,7 +17,7 @@ template <int dim> bool has_loads(const scene::Problem<dim>& problem) {
 
 }  // namespace
 
-template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size) {
+template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, int degree, double size) {
   const auto& mesh = problem.mesh;
   double energy = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -25,7 +25,8 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, do
     const double area = scene::volume(mesh, static_cast<int>(c));
     double perimeter = 0;
     for (int k = 0; k < 3; ++k) perimeter += (mesh.vertices[v[(k + 1) % 3]] - mesh.vertices[v[k]]).norm();
-    const double strain = size * perimeter / (2 * area);  // the gradient of a vertex' own function is edge / (2 area)
+    const double strain =
+        degree * degree * size * perimeter / (2 * area);  // the gradient of a vertex' own function is edge / (2 area)
     energy += area / 2 * problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
   }
   return energy;
@@ -35,27 +36,27 @@ template <int dim>
 bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   if (has_loads(problem)) return false;
   constexpr double rounding = 1e-14;  // of displacements, relative: some tens of the last place
-  return potential_energy(problem, displacement).strain <= energy_of_noise(problem, rounding * largest_given(problem));
+  return potential_energy(problem, displacement).strain <=
+         energy_of_noise(problem, 1, rounding * largest_given(problem));
 }
 
-template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh) {
-  scene::Stress<dim> stress;
-  stress.cell.resize(mesh.cells.size());
-  for (auto& cell : stress.cell) cell.fill(scene::Voigt<dim>::Zero());
-  return stress;
+template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh, int degree) {
+  const std::size_t coefficients = (dim + 1) * scene::n_bernstein(degree);
+  return {degree, {mesh.cells.size(), {coefficients, scene::Voigt<dim>::Zero()}}};
 }
 
 template <int dim>
 scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, const scene::Vector<dim>& translation) {
-  scene::Displacement<dim> displacement{degree, {}, {}};
+  scene::Displacement<dim> displacement{degree, {}, {}, {}};
   displacement.vertex.assign(mesh.vertices.size(), translation);
-  if (degree == 2) displacement.edge.assign(mesh.edges.size(), translation);
+  displacement.edge.assign(scene::n_inside_edge(degree) * mesh.edges.size(), translation);
+  displacement.cell.assign(scene::n_inside_cell(degree) * mesh.cells.size(), translation);
   return displacement;
 }
 
-template double energy_of_noise(const scene::Problem<2>&, double);
+template double energy_of_noise(const scene::Problem<2>&, int, double);
 template bool is_unstrained(const scene::Problem<2>&, const scene::Displacement<2>&);
-template scene::Stress<2> no_stress(const scene::Mesh<2>&);
+template scene::Stress<2> no_stress(const scene::Mesh<2>&, int);
 template scene::Displacement<2> translated(const scene::Mesh<2>&, int, const scene::Vector<2>&);
 
 }  // namespace bracket::bounds

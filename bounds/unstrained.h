@@ -10,11 +10,12 @@ namespace bracket::bounds {
 /// stress, λ = 0, which is in K⁺_{0,0}.
 template <int dim> bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
-/// The strain energy that displacements make which are anything, but no larger than `size`, at every node.
-template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, double size);
+/// The strain energy that displacements of a degree make which are anything, but no larger than `size`, at every node:
+/// a polynomial's slope is up to its degree squared times that of a line [Markov].
+template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, int degree, double size);
 
-/// λ = 0
-template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh);
+/// λ = 0 \param degree of it
+template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh, int degree);
 /// u = `translation` everywhere
 template <int dim>
 scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, const scene::Vector<dim>& translation);

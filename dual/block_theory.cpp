@@ -17,19 +17,19 @@ Vector<2> from(const Triangle& t, int e) { return t[scene::Simplex<2>::edges[e][
 Vector<2> to(const Triangle& t, int e) { return t[scene::Simplex<2>::edges[e][1]]; }
 
 /// The block and the amplitudes of its stress with these ∫ φ_i T over the sides, which are B times the reference's.
-Corners stress_by_moments(const Triangle& t, const LoadVector& moments) {
-  static const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> loads(reference_block().loads);
+Corners stress_by_moments(const Triangle& t, const LoadVector<1>& moments) {
+  static const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> loads(reference_block<1>().loads);
   Eigen::Matrix2d b;
   b << t[1] - t[0], t[2] - t[0];
-  Eigen::VectorXd pulled_back(n_loads);
-  for (int i = 0; i < n_loads; i += 2) pulled_back.segment<2>(i) = b.inverse() * moments.segment<2>(i);
-  const ModeVector amplitudes = loads.solve(pulled_back);
-  return stress_at_corners(block_element(t, scene::Elasticity<2>::Identity()).piola, amplitudes);
+  Eigen::VectorXd pulled_back(n_loads(1));
+  for (int i = 0; i < n_loads(1); i += 2) pulled_back.segment<2>(i) = b.inverse() * moments.segment<2>(i);
+  const ModeVector<1> amplitudes = loads.solve(pulled_back);
+  return block_stress<1>(block_element<1>(t, scene::Elasticity<2>::Identity()).piola, amplitudes);
 }
 
 /// Resultants and moment of side tractions: 3 × 12.
-Eigen::Matrix<double, 3, n_loads> resultants(const Triangle& t) {
-  Eigen::Matrix<double, 3, n_loads> rows;
+Eigen::Matrix<double, 3, n_loads(1)> resultants(const Triangle& t) {
+  Eigen::Matrix<double, 3, n_loads(1)> rows;
   const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   for (int e = 0; e < 3; ++e) {
     const Vector<2> a = from(t, e) - centroid, b = to(t, e) - centroid;
@@ -46,9 +46,9 @@ Eigen::Matrix<double, 3, n_loads> resultants(const Triangle& t) {
 /// attained where three of the twelve residuals vanish.
 class LargestValue {
  public:
-  explicit LargestValue(const Eigen::Matrix<double, 3, n_loads>& equations) : equations_(equations) {
+  explicit LargestValue(const Eigen::Matrix<double, 3, n_loads(1)>& equations) : equations_(equations) {
     constexpr double degenerate = 1e-12;  // of a determinant by its rows
-    for (int i = 0; i < n_loads; ++i)
+    for (int i = 0; i < n_loads(1); ++i)
       for (int j = 0; j < i; ++j)
         for (int k = 0; k < j; ++k) {
           Eigen::Matrix3d m;
@@ -72,14 +72,14 @@ class LargestValue {
     std::array<int, 3> at;
     Eigen::Matrix3d inverse;
   };
-  Eigen::Matrix<double, 3, n_loads> equations_;
+  Eigen::Matrix<double, 3, n_loads(1)> equations_;
   std::vector<Vertex> vertices_;
 };
 
 }  // namespace
 
 Corners stress_by_tractions(const Triangle& t, const SideTractions& tractions) {
-  LoadVector moments;
+  LoadVector<1> moments;
   for (int e = 0; e < 3; ++e) {
     const double length = (to(t, e) - from(t, e)).norm();
     const std::array<Vector<2>, 2> at = {tractions.segment<2>(4 * e), tractions.segment<2>(4 * e + 2)};
@@ -89,8 +89,8 @@ Corners stress_by_tractions(const Triangle& t, const SideTractions& tractions) {
 }
 
 double stress_by_load_constant(const Triangle& t) {
-  Eigen::Matrix<double, 27, n_loads> stresses;
-  for (int i = 0; i < n_loads; ++i) {
+  Eigen::Matrix<double, 27, n_loads(1)> stresses;
+  for (int i = 0; i < n_loads(1); ++i) {
     const Corners corners = stress_by_tractions(t, SideTractions::Unit(i));
     for (int c = 0; c < 9; ++c) stresses.block<3, 1>(3 * c, i) = corners[c];
   }
@@ -101,7 +101,7 @@ double stress_by_load_constant(const Triangle& t) {
 }
 
 Corners interpolate(const Triangle& t, const StressField& stress) {
-  LoadVector moments;
+  LoadVector<1> moments;
   for (int e = 0; e < 3; ++e) {
     const Vector<2> a = from(t, e), b = to(t, e), normal = scene::area_vector<2>({a, b});
     for (int end = 0; end < 2; ++end)
@@ -120,7 +120,7 @@ double integrate(const Triangle& t, const std::function<double(const Vector<2>&)
   return (u[0] * v[1] - u[1] * v[0]) * integrate(across);
 }
 
-double squared_distance(const Triangle& t, const StressField& stress, const Corners& corners,
+double squared_distance(const Triangle& t, const StressField& stress, std::span<const scene::Voigt<2>> corners,
                         const scene::Elasticity<2>& form) {
   const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
   double sum = 0;

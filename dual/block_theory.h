@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "dual/block_element.h"
 
@@ -11,7 +12,7 @@ namespace bracket::dual {
 using StressField = std::function<scene::Voigt<2>(const scene::Vector<2>&)>;
 
 /// Linear tractions on the sides: place 4 e + 2 end + component, edge e from vertex e+1 (end 0) to e+2 (end 1).
-using SideTractions = Eigen::Matrix<double, n_loads, 1>;
+using SideTractions = Eigen::Matrix<double, n_loads(1), 1>;
 
 /// The stress of the block with these side tractions [HH81, Theorem 2.1].
 /// \pre they are in equilibrium
@@ -29,7 +30,7 @@ Corners interpolate(const Triangle& vertices, const StressField& stress);
 
 /// ∫ |τ − λ|² over a cell in the norm of `form` (identity: shear counts once; a compliance: energy).
 /// \param corners λ, linear on the cell's parts
-double squared_distance(const Triangle& vertices, const StressField& stress, const Corners& corners,
+double squared_distance(const Triangle& vertices, const StressField& stress, std::span<const scene::Voigt<2>> corners,
                         const scene::Elasticity<2>& form);
 
 /// Integrals over 0 < s < 1 and over a triangle, by Gauss points.

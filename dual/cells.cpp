@@ -9,10 +9,6 @@ using scene::Problem;
 using scene::Support;
 using scene::Vector;
 
-template <int dim> int end_of(const scene::Mesh<dim>& mesh, int edge, int vertex) {
-  return mesh.edges[edge][0] == vertex ? 0 : 1;
-}
-
 namespace {
 
 template <int dim> void set_supports(const Problem<dim>& problem, std::vector<Edge>& edges) {
@@ -28,17 +24,18 @@ template <int dim> void set_supports(const Problem<dim>& problem, std::vector<Ed
   }
 }
 
-template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
+template <int degree, int dim> Cell<degree> make_cell(const Problem<dim>& problem, const Layout& layout, int c) {
   const auto& mesh = problem.mesh;
-  const BlockElement block = block_element(corners(mesh, c), body_of(problem, c).material.compliance());
-  Cell cell{block.piola, block.compliance.llt(), block.loads, {}};
+  const BlockElement<degree> block = block_element<degree>(corners(mesh, c), body_of(problem, c).material.compliance());
+  Cell<degree> cell{block.piola, block.compliance.llt(), block.loads, {}};
   for (int e = 0; e < 3; ++e) {
     const int mesh_edge = mesh.cell_edges[c][e];
     const Edge& edge = layout.edges[mesh_edge];
-    for (int i = 0; i < 2; ++i) {
-      const int row = 4 * e + 2 * i;
-      const int place = 2 * end_of(mesh, mesh_edge, scene::facet_vertices(mesh, c, e)[i]);
-      cell.loads.middleRows<2>(row) = (edge.frame * cell.loads.middleRows<2>(row)).eval();
+    for (int i = 0; i <= degree; ++i) {
+      const int row = 2 * (degree + 1) * e + 2 * i;
+      const int place = 2 * along_edge(mesh, degree, mesh_edge, scene::facet_vertices(mesh, c, e)[0], i);
+      auto own = cell.loads.template middleRows<2>(row);
+      own = (edge.frame * own).eval();
       for (int k = 0; k < 2; ++k) cell.unknowns[row + k] = edge.unknown[place + k];
     }
   }
@@ -46,22 +43,28 @@ template <int dim> Cell make_cell(const Problem<dim>& problem, const Layout& lay
 }
 
 /// A cell's edge displacements that this boundary facet, one of its edges, prescribes. A facet runs along its cell's
-/// edge: its vertex i is the end i.
-template <int dim> void add_prescribed(const scene::FacetData<dim>& data, int edge_of_cell, LoadVector& displacements) {
-  for (int i = 0; i < 2; ++i) {
-    const int row = 4 * edge_of_cell + 2 * i;
-    if (data.support == Support::fixed) displacements.segment<2>(row) = data.displacement[i];
-    if (data.support == Support::sliding) displacements[row] = data.normal_displacement[i];
+/// edge, in the same sense.
+template <int degree, int dim>
+void add_prescribed(const scene::FacetData<dim>& data, int edge_of_cell, LoadVector<degree>& displacements) {
+  for (int i = 0; i <= degree; ++i) {
+    const int row = 2 * (degree + 1) * edge_of_cell + 2 * i;
+    if (data.support == Support::fixed)
+      displacements.template segment<2>(row) =
+          scene::linear_coefficient<double>(data.displacement[0], data.displacement[1], degree, i);
+    if (data.support == Support::sliding)
+      displacements[row] =
+          scene::linear_coefficient<double>(data.normal_displacement[0], data.normal_displacement[1], degree, i);
   }
 }
 
-template <int dim> Particular weight(const Problem<dim>& problem, const Layout& layout, const Cell& cell, int c) {
+template <int degree, int dim>
+Particular<degree> weight(const Problem<dim>& problem, const Layout& layout, const Cell<degree>& cell, int c) {
   const auto& mesh = problem.mesh;
   const auto& body = body_of(problem, c);
-  Particular result = particular(corners(mesh, c), cell.piola, body.material.compliance(), body.force);
+  Particular<degree> result = particular<degree>(corners(mesh, c), cell.piola, body.material.compliance(), body.force);
   for (int e = 0; e < 3; ++e)
-    for (int i = 0; i < 2; ++i) {
-      auto own = result.loads.segment<2>(4 * e + 2 * i);
+    for (int i = 0; i <= degree; ++i) {
+      auto own = result.loads.template segment<2>(2 * (degree + 1) * e + 2 * i);
       own = (layout.edges[mesh.cell_edges[c][e]].frame * own).eval();
     }
   return result;
@@ -69,9 +72,9 @@ template <int dim> Particular weight(const Problem<dim>& problem, const Layout& 
 
 }  // namespace
 
-template <int dim> Layout lay_out(const Problem<dim>& problem) {
+template <int dim> Layout lay_out(const Problem<dim>& problem, int degree) {
   const auto& mesh = problem.mesh;
-  Layout layout;
+  Layout layout{degree, {}, {}, {}};
   layout.edges.resize(mesh.edges.size());
   layout.body_cells.resize(mesh.components.size());
   layout.body_nodes.assign(mesh.components.size(), {0});
@@ -85,9 +88,9 @@ template <int dim> Layout lay_out(const Problem<dim>& problem) {
       if (edge.node >= 0) continue;
       edge.node = static_cast<int>(nodes.size()) - 1;
       int next = nodes.back();
-      for (int end = 0; end < 2; ++end) {
-        if (!edge.normal_held) edge.unknown[2 * end] = next++;
-        if (!edge.tangent_held) edge.unknown[2 * end + 1] = next++;
+      for (int k = 0; k <= degree; ++k) {
+        if (!edge.normal_held) edge.unknown[2 * k] = next++;
+        if (!edge.tangent_held) edge.unknown[2 * k + 1] = next++;
       }
       nodes.push_back(next);
     }
@@ -100,57 +103,71 @@ template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
   return {Vector<dim>::Zero(), mesh.vertices[v[1]] - mesh.vertices[v[0]], mesh.vertices[v[2]] - mesh.vertices[v[0]]};
 }
 
-template <int dim> std::vector<Cell> make_cells(const Problem<dim>& problem, const Layout& layout) {
-  std::vector<Cell> cells;
+template <int degree, int dim> std::vector<Cell<degree>> make_cells(const Problem<dim>& problem, const Layout& layout) {
+  std::vector<Cell<degree>> cells;
   cells.reserve(problem.mesh.cells.size());
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
-    cells.push_back(make_cell(problem, layout, static_cast<int>(c)));
+    cells.push_back(make_cell<degree>(problem, layout, static_cast<int>(c)));
   return cells;
 }
 
-template <int dim> std::vector<LoadVector> prescribed_displacements(const Problem<dim>& problem) {
-  std::vector<LoadVector> result(problem.mesh.cells.size(), LoadVector::Zero());
+template <int degree, int dim> std::vector<LoadVector<degree>> prescribed_displacements(const Problem<dim>& problem) {
+  std::vector<LoadVector<degree>> result(problem.mesh.cells.size(), LoadVector<degree>::Zero());
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& facet = problem.mesh.boundary[f];
-    add_prescribed(problem.facets[f], facet.local, result[facet.cell]);
+    add_prescribed<degree>(problem.facets[f], facet.local, result[facet.cell]);
   }
-  const bool none = std::all_of(result.begin(), result.end(), [](const LoadVector& own) { return own.isZero(0); });
-  return none ? std::vector<LoadVector>{} : result;
+  const bool none = std::all_of(result.begin(), result.end(), [](const auto& own) { return own.isZero(0); });
+  return none ? std::vector<LoadVector<degree>>{} : result;
 }
 
-template <int dim>
-std::vector<Particular> weights(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells) {
-  std::vector<Particular> result;
+template <int degree, int dim>
+std::vector<Particular<degree>> weights(const Problem<dim>& problem, const Layout& layout,
+                                        const std::vector<Cell<degree>>& cells) {
+  std::vector<Particular<degree>> result;
   const bool none =
       std::all_of(problem.bodies.begin(), problem.bodies.end(), [](const auto& body) { return body.force.isZero(0); });
   for (std::size_t c = 0; !none && c < cells.size(); ++c)
-    result.push_back(weight(problem, layout, cells[c], static_cast<int>(c)));
+    result.push_back(weight<degree>(problem, layout, cells[c], static_cast<int>(c)));
   return result;
 }
 
-LoadVector edge_displacements(const Cell& cell, const Eigen::VectorXd& unknowns, const LoadVector& otherwise) {
-  LoadVector edges = otherwise;
-  for (int i = 0; i < n_loads; ++i)
+template <int degree>
+LoadVector<degree> edge_displacements(const Cell<degree>& cell, const Eigen::VectorXd& unknowns,
+                                      const LoadVector<degree>& otherwise) {
+  LoadVector<degree> edges = otherwise;
+  for (int i = 0; i < n_loads(degree); ++i)
     if (cell.unknowns[i] >= 0) edges[i] = unknowns[cell.unknowns[i]];
   return edges;
 }
 
-template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem) {
-  Eigen::VectorXd moments(2 * problem.contact.size());
+template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem, int degree) {
+  Eigen::VectorXd moments((degree + 1) * problem.contact.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& g = problem.contact[j].upper;
     const double length = scene::length(problem.mesh, problem.contact[j].first);
-    for (int i = 0; i < 2; ++i) moments[2 * j + i] = length / 12 * (3 * g[2 * i] + 2 * g[1] + g[2 - 2 * i]);
+    for (int i = 0; i <= degree; ++i) {
+      double mean = 0;
+      for (int k = 0; k < 3; ++k) mean += scene::number<double>(scene::bernstein_mass(degree, i, 2, k)) * g[k];
+      moments[(degree + 1) * j + i] = length * mean;
+    }
   }
   return moments;
 }
 
-template int end_of(const scene::Mesh<2>&, int, int);
-template Layout lay_out(const Problem<2>&);
+template Layout lay_out(const Problem<2>&, int);
 template Triangle corners(const scene::Mesh<2>&, int);
-template std::vector<Cell> make_cells(const Problem<2>&, const Layout&);
-template std::vector<LoadVector> prescribed_displacements(const Problem<2>&);
-template std::vector<Particular> weights(const Problem<2>&, const Layout&, const std::vector<Cell>&);
-template Eigen::VectorXd gap_moments(const Problem<2>&);
+template Eigen::VectorXd gap_moments(const Problem<2>&, int);
+#define BRACKET_CELLS(degree)                                                                   \
+  template std::vector<Cell<degree>> make_cells<degree>(const Problem<2>&, const Layout&);      \
+  template std::vector<LoadVector<degree>> prescribed_displacements<degree>(const Problem<2>&); \
+  template std::vector<Particular<degree>> weights(const Problem<2>&, const Layout&,            \
+                                                   const std::vector<Cell<degree>>&);           \
+  template LoadVector<degree> edge_displacements(const Cell<degree>&, const Eigen::VectorXd&,   \
+                                                 const LoadVector<degree>&);
+BRACKET_CELLS(1)
+BRACKET_CELLS(2)
+BRACKET_CELLS(3)
+#undef BRACKET_CELLS
 
 }  // namespace bracket::dual

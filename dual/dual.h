@@ -7,7 +7,8 @@
 #include "contact/contact.h"
 #include "scene/scene.h"
 
-/// Stresses: the lower bound. Self-equilibrated triangular block elements (docs/theory.md §4; HH81 §2.1, §3).
+/// Stresses: the lower bound. Self-equilibrated triangular block elements of degree 1, 2 or 3 (docs/theory.md §4; HH81
+/// §2.1, §3).
 namespace bracket::dual {
 
 template <int dim> struct Result {
@@ -19,11 +20,13 @@ template <int dim> struct Result {
 };
 
 /// Minimises S over the block-element stresses in K⁺_{F,P} [HH81, (1.13), (2.12)] by the hybrid method: edge
-/// displacements, linear on each edge, are the multipliers of traction continuity; contact rows are the moments of r.
-/// The bodies are factorised once and solved for any data.
+/// displacements, of their degree on each edge, are the multipliers of traction continuity; contact rows are the
+/// Bernstein moments of r, whose multipliers are coefficients of the pressure. The bodies are factorised once and
+/// solved for any data.
 template <int dim> class Solver {
  public:
-  explicit Solver(const scene::Problem<dim>& problem);
+  /// \param degree of the block elements, 1 to 3
+  Solver(const scene::Problem<dim>& problem, int degree);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
   ///     displacements are its own
@@ -39,7 +42,8 @@ template <int dim> class Solver {
 };
 
 /// The same, once.
-template <int dim> Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {});
+template <int dim>
+Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed = {});
 
 /// The same minimum by Uzawa's iteration on the multipliers of (3.13), (3.14) [HH81, §3], until the stress is known to
 /// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; it terminates as solved or

@@ -1,5 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <stdexcept>
+#include <variant>
 
 #include "contact/clock.h"
 #include "dual/cells.h"
@@ -16,6 +17,7 @@ using scene::Vector;
 /// The loads on the edge displacements of each body: ∫ P·μ.
 template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim>& problem, const Layout& layout) {
   const auto& mesh = problem.mesh;
+  const int degree = layout.degree;
   std::vector<Eigen::VectorXd> loads;
   for (const auto& nodes : layout.body_nodes) loads.push_back(Eigen::VectorXd::Zero(nodes.back()));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -23,39 +25,42 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
     const auto& facet = mesh.boundary[f];
     const Edge& edge = layout.edges[facet.edge];
     const auto ends = scene::load(problem, static_cast<int>(f));
-    for (int i = 0; i < 2; ++i) {
-      const Vector<dim> moment = edge.frame * scene::hat_moment(ends, i);
-      const int place = 2 * end_of(mesh, facet.edge, facet.vertices[i]);
+    for (int i = 0; i <= degree; ++i) {
+      Vector<dim> moment = Vector<dim>::Zero();
+      for (int k = 0; k < 2; ++k) moment += scene::number<double>(scene::bernstein_mass(degree, i, 1, k)) * ends[k];
+      moment = (edge.frame * moment).eval();
+      const int place = 2 * along_edge(mesh, degree, facet.edge, facet.vertices[0], i);
       for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
     }
   }
   return loads;
 }
 
-/// Rows 2 j, 2 j + 1 of contact facet j: ∫ φ_i r over it, for the hat functions of the first facet's vertices 0 and 1.
-/// Both sides count their own outward normal displacement: r = u'·n' + u''·n''.
+/// Rows (degree + 1) j + i of contact facet j: ∫ B_i r over it, for the Bernstein polynomials of its first facet. Both
+/// sides count their own outward normal displacement: r = u'·n' + u''·n''.
 template <int dim>
 void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::System>& bodies) {
   const auto& mesh = problem.mesh;
+  const int n = layout.degree + 1;
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
-    using Table = scene::Simplex<dim - 1>;
-    const double unit = scene::length(mesh, pair.first) / Table::hat_masses_of;
+    const double length = scene::length(mesh, pair.first);
     for (const int side : {pair.first, pair.second}) {
       if (side < 0) continue;
       const auto& facet = mesh.boundary[side];
       const Edge& edge = layout.edges[facet.edge];
-      for (int row = 0; row < 2; ++row)
-        for (int i = 0; i < 2; ++i) {
-          const int vertex = facet.vertices[side == pair.first ? i : 1 - i];
-          const int unknown = edge.unknown[2 * end_of(mesh, facet.edge, vertex)];
-          entries[mesh.cell_component[facet.cell]].emplace_back(2 * j + row, unknown, unit * Table::hat_mass(row, i));
+      const int begin = facet.vertices[side == pair.first ? 0 : 1];  // where the first facet begins
+      for (int row = 0; row < n; ++row)
+        for (int i = 0; i < n; ++i) {
+          const int unknown = edge.unknown[2 * along_edge(mesh, layout.degree, facet.edge, begin, i)];
+          const double mean = scene::number<double>(scene::bernstein_mass(layout.degree, row, layout.degree, i));
+          entries[mesh.cell_component[facet.cell]].emplace_back(n * j + row, unknown, length * mean);
         }
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    bodies[b].rows.resize(2 * problem.contact.size(), bodies[b].nodes.back());
+    bodies[b].rows.resize(n * problem.contact.size(), bodies[b].nodes.back());
     bodies[b].rows.setFromTriplets(entries[b].begin(), entries[b].end());
   }
 }
@@ -70,17 +75,20 @@ Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout,
   for (const int c : layout.body_cells[body])
     for (const int e : mesh.cell_edges[c]) {
       const Edge& edge = layout.edges[e];
-      for (int place = 0; place < 4; ++place)
+      const auto& [a, b] = scene::positions(mesh, mesh.edges[e]);
+      for (int place = 0; place < 2 * (layout.degree + 1); ++place)
         for (std::size_t m = 0; edge.unknown[place] >= 0 && m < motions.size(); ++m)
           rigid(edge.unknown[place], m) =
-              edge.frame.row(place % 2) * displacement(motions[m], mesh.vertices[mesh.edges[e][place / 2]]);
+              edge.frame.row(place % 2) *
+              displacement(motions[m], scene::linear_coefficient<double>(a, b, layout.degree, place / 2));
     }
   return rigid;
 }
 
 /// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave.
-template <int dim>
-contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells, int b) {
+template <int degree, int dim>
+contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell<degree>>& cells,
+                         int b) {
   std::vector<int> cell_nodes;
   for (const int c : layout.body_cells[b])
     for (const int e : problem.mesh.cell_edges[c]) cell_nodes.push_back(layout.edges[e].node);
@@ -88,8 +96,8 @@ contact::System assemble(const Problem<dim>& problem, const Layout& layout, cons
   body.nodes = layout.body_nodes[b];
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
   for (const int c : layout.body_cells[b]) {
-    const auto half = half_stiffness(cells[c].compliance, cells[c].loads);
-    const CellMatrix stiffness = half.transpose() * half;
+    const auto half = half_stiffness<degree>(cells[c].compliance, cells[c].loads);
+    const CellMatrix<degree> stiffness = half.transpose() * half;
     assembly.add(cells[c].unknowns, stiffness);
   }
   body.stiffness = assembly.take();
@@ -98,48 +106,51 @@ contact::System assemble(const Problem<dim>& problem, const Layout& layout, cons
 }
 
 /// The amplitudes s of the modes in each cell.
-using Amplitudes = std::vector<ModeVector>;
+template <int degree> using Amplitudes = std::vector<ModeVector<degree>>;
 
 /// s = A⁻¹ (Gᵀ μ − ∫ τ_k : C⁻¹ λ̄)
-ModeVector amplitudes(const Cell& cell, const LoadVector& edges, const Particular* weight) {
-  ModeVector right = cell.loads.transpose() * edges;
+template <int degree>
+ModeVector<degree> amplitudes(const Cell<degree>& cell, const LoadVector<degree>& edges,
+                              const Particular<degree>* weight) {
+  ModeVector<degree> right = cell.loads.transpose() * edges;
   if (weight) right -= weight->coupling;
   return cell.compliance.solve(right);
 }
 
 /// What the data of a problem do within its cells, empty where they do nothing anywhere.
-struct CellData {
-  std::vector<LoadVector> prescribed;
-  std::vector<Particular> weight;
+template <int degree> struct CellData {
+  std::vector<LoadVector<degree>> prescribed;
+  std::vector<Particular<degree>> weight;
 };
-const Particular* weight_of(const CellData& data, std::size_t cell) {
+template <int degree> const Particular<degree>* weight_of(const CellData<degree>& data, std::size_t cell) {
   return data.weight.empty() ? nullptr : &data.weight[cell];
 }
-LoadVector prescribed_on(const CellData& data, std::size_t cell) {
-  return data.prescribed.empty() ? LoadVector::Zero() : data.prescribed[cell];
+template <int degree> LoadVector<degree> prescribed_on(const CellData<degree>& data, std::size_t cell) {
+  return data.prescribed.empty() ? LoadVector<degree>(LoadVector<degree>::Zero()) : data.prescribed[cell];
 }
 
 /// Takes the side loads of the modes and of λ̄ off the loads of each body.
-template <int dim>
-void subtract_tractions(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
-                        const Amplitudes& amplitude, std::vector<Eigen::VectorXd>& loads) {
+template <int degree, int dim>
+void subtract_tractions(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
+                        const CellData<degree>& data, const Amplitudes<degree>& amplitude,
+                        std::vector<Eigen::VectorXd>& loads) {
   for (std::size_t c = 0; c < cells.size(); ++c) {
     Eigen::VectorXd& load = loads[problem.mesh.cell_component[c]];
-    LoadVector tractions = cells[c].loads * amplitude[c];
-    if (const Particular* weight = weight_of(data, c)) tractions += weight->loads;
-    for (int i = 0; i < n_loads; ++i)
+    LoadVector<degree> tractions = cells[c].loads * amplitude[c];
+    if (const Particular<degree>* weight = weight_of(data, c)) tractions += weight->loads;
+    for (int i = 0; i < n_loads(degree); ++i)
       if (cells[c].unknowns[i] >= 0) load[cells[c].unknowns[i]] -= tractions[i];
   }
 }
 
 /// The loads of Γ_τ, of body forces and of prescribed displacements.
-template <int dim>
-std::vector<Eigen::VectorXd> all_loads(const Problem<dim>& problem, const std::vector<Cell>& cells,
-                                       const CellData& data, std::vector<Eigen::VectorXd> of_tractions) {
+template <int degree, int dim>
+std::vector<Eigen::VectorXd> all_loads(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
+                                       const CellData<degree>& data, std::vector<Eigen::VectorXd> of_tractions) {
   if (data.prescribed.empty() && data.weight.empty()) return of_tractions;
-  Amplitudes amplitude;
+  Amplitudes<degree> amplitude;
   for (std::size_t c = 0; c < cells.size(); ++c)
-    amplitude.push_back(amplitudes(cells[c], prescribed_on(data, c), weight_of(data, c)));
+    amplitude.push_back(amplitudes<degree>(cells[c], prescribed_on(data, c), weight_of(data, c)));
   subtract_tractions(problem, cells, data, amplitude, of_tractions);
   return of_tractions;
 }
@@ -147,78 +158,80 @@ std::vector<Eigen::VectorXd> all_loads(const Problem<dim>& problem, const std::v
 /// Takes out what the tractions of the modes lack of continuity and of the given loads: the edge displacements are
 /// large against their differences within a cell, and their rounding is a jump of tractions. Evaluated from the
 /// amplitudes the jump is seen to the rounding of the stresses themselves, and one more solve removes it.
-template <int dim>
-Amplitudes balanced(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
-                    const contact::Bodies& bodies, std::vector<Eigen::VectorXd> loads, Amplitudes amplitude) {
+template <int degree, int dim>
+Amplitudes<degree> balanced(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
+                            const CellData<degree>& data, const contact::Bodies& bodies,
+                            std::vector<Eigen::VectorXd> loads, Amplitudes<degree> amplitude) {
   subtract_tractions(problem, cells, data, amplitude, loads);
   for (std::size_t b = 0; b < loads.size(); ++b) loads[b] = bodies.respond(static_cast<int>(b), loads[b]);
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    const LoadVector edges = edge_displacements(cells[c], loads[problem.mesh.cell_component[c]], LoadVector::Zero());
-    amplitude[c] += amplitudes(cells[c], edges, nullptr);
+    const LoadVector<degree> edges =
+        edge_displacements<degree>(cells[c], loads[problem.mesh.cell_component[c]], LoadVector<degree>::Zero());
+    amplitude[c] += amplitudes<degree>(cells[c], edges, nullptr);
   }
   return amplitude;
 }
 
 /// λ = λ̄ + Σ s_k τ_k at the corners. \param loads tractions and pressures on the edge displacements of each body
-template <int dim>
-scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell>& cells, const CellData& data,
-                           const contact::Bodies& bodies, const std::vector<Eigen::VectorXd>& loads,
-                           const std::vector<Eigen::VectorXd>& elastic) {
-  Amplitudes amplitude;
+template <int degree, int dim>
+scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
+                           const CellData<degree>& data, const contact::Bodies& bodies,
+                           const std::vector<Eigen::VectorXd>& loads, const std::vector<Eigen::VectorXd>& elastic) {
+  Amplitudes<degree> amplitude;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const LoadVector edges =
-        edge_displacements(cells[c], elastic[problem.mesh.cell_component[c]], prescribed_on(data, c));
-    amplitude.push_back(amplitudes(cells[c], edges, weight_of(data, c)));
+    const LoadVector<degree> edges =
+        edge_displacements<degree>(cells[c], elastic[problem.mesh.cell_component[c]], prescribed_on(data, c));
+    amplitude.push_back(amplitudes<degree>(cells[c], edges, weight_of(data, c)));
   }
   for (int step = 0; step < 2; ++step) amplitude = balanced(problem, cells, data, bodies, loads, std::move(amplitude));
-  scene::Stress<dim> stress;
+  scene::Stress<dim> stress{degree, {}};
   stress.cell.resize(amplitude.size());
   for (std::size_t c = 0; c < amplitude.size(); ++c) {
-    stress.cell[c] = stress_at_corners(cells[c].piola, amplitude[c]);
-    if (const Particular* weight = weight_of(data, c))
-      for (int i = 0; i < 9; ++i) stress.cell[c][i] += weight->stress[i];
+    const BlockStress<degree> own = block_stress<degree>(cells[c].piola, amplitude[c]);
+    stress.cell[c].assign(own.begin(), own.end());
+    if (const Particular<degree>* weight = weight_of(data, c))
+      for (int i = 0; i < n_coefficients(degree); ++i) stress.cell[c][i] += weight->stress[i];
   }
   return stress;
 }
 
-}  // namespace
-
-template <int dim> struct Solver<dim>::Factorised {
+/// The bodies of one degree, factorised.
+template <int degree, int dim> struct OfDegree {
   Layout layout;
-  std::vector<Cell> cells;
+  std::vector<Cell<degree>> cells;
   contact::Bodies bodies;
   double assemble;  ///< seconds
 };
 
-template <int dim> Solver<dim>::Solver(const Problem<dim>& problem) {
+template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<dim>& problem) {
   const Clock clock;
-  Layout layout = lay_out(problem);
-  std::vector<Cell> cells = make_cells(problem, layout);
+  Layout layout = lay_out(problem, degree);
+  std::vector<Cell<degree>> cells = make_cells<degree>(problem, layout);
   std::vector<contact::System> systems;
   for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
-    systems.push_back(assemble(problem, layout, cells, static_cast<int>(b)));
+    systems.push_back(assemble<degree>(problem, layout, cells, static_cast<int>(b)));
   set_contact_rows(problem, layout, systems);
   const double assembled = clock.seconds();
-  factorised_ = std::make_shared<const Factorised>(
-      Factorised{std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), assembled});
+  return {std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), assembled};
 }
 
-template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
+template <int degree, int dim>
+Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem, const std::vector<char>& closed) {
   const Clock clock;
-  const auto& [layout, cells, bodies, assembled] = *factorised_;
-  if (lay_out(problem).body_nodes != layout.body_nodes ||
-      2 * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
+  const auto& [layout, cells, bodies, assembled] = of;
+  constexpr int rows = degree + 1;  // of a contact facet
+  if (lay_out(problem, degree).body_nodes != layout.body_nodes ||
+      rows * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
     throw std::invalid_argument(
-        "dual::Solver: the problem has other unknowns or contact facets than the one that was "
-        "factorised");
-  const CellData data{prescribed_displacements(problem), weights(problem, layout, cells)};
+        "dual::Solver: the problem has other unknowns or contact facets than the one that was factorised");
+  const CellData<degree> data{prescribed_displacements<degree>(problem), weights<degree>(problem, layout, cells)};
   std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
-  const std::vector<Eigen::VectorXd> all = all_loads(problem, cells, data, loads);
+  const std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);
   std::vector<char> guess;
-  for (const char facet : closed) guess.insert(guess.end(), 2, facet);
+  for (const char facet : closed) guess.insert(guess.end(), rows, facet);
   const double of_data = clock.seconds();
 
-  contact::Solution solution = bodies.solve(all, gap_moments(problem), guess);
+  contact::Solution solution = bodies.solve(all, gap_moments(problem, degree), guess);
   Result<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(
@@ -230,23 +243,43 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   if (solution.termination == contact::Termination::solved) {
     const Clock recovering;
     for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies.systems()[b].rows.transpose() * solution.pressure;
-    result.stress = recover(problem, cells, data, bodies, loads, solution.elastic);
+    result.stress = recover<degree>(problem, cells, data, bodies, loads, solution.elastic);
     solution.seconds.recover += recovering.seconds();
   }
   result.closed.assign(problem.contact.size(), 0);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
-    if (solution.active[i]) result.closed[i / 2] = 1;
+    if (solution.active[i]) result.closed[i / rows] = 1;
   result.statistics = contact::statistics(bodies, solution);
   result.statistics.seconds.assemble = assembled + of_data;
   return result;
 }
 
-template <int dim> Result<dim> solve(const Problem<dim>& problem, const std::vector<char>& closed) {
-  return Solver<dim>(problem).solve(problem, closed);
+}  // namespace
+
+template <int dim> struct Solver<dim>::Factorised {
+  std::variant<OfDegree<1, dim>, OfDegree<2, dim>, OfDegree<3, dim>> of;
+};
+
+template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree) {
+  const auto keep = [&](auto of) { factorised_ = std::make_shared<const Factorised>(Factorised{std::move(of)}); };
+  switch (degree) {
+    case 1: keep(factorised<1>(problem)); break;
+    case 2: keep(factorised<2>(problem)); break;
+    case 3: keep(factorised<3>(problem)); break;
+    default: throw std::invalid_argument("dual::Solver: block elements have a degree from 1 to 3");
+  }
+}
+
+template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
+  return std::visit([&](const auto& of) { return solved(of, problem, closed); }, factorised_->of);
+}
+
+template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, const std::vector<char>& closed) {
+  return Solver<dim>(problem, degree).solve(problem, closed);
 }
 
 template struct Result<2>;
 template class Solver<2>;
-template Result<2> solve(const Problem<2>&, const std::vector<char>&);
+template Result<2> solve(const Problem<2>&, int, const std::vector<char>&);
 
 }  // namespace bracket::dual

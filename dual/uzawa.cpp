@@ -20,7 +20,7 @@ constexpr int interval = 50;  // of iterations between stopping tests
 
 double norm(const Parameters& parameters) {
   double sum = 0;
-  for (const ModeVector& s : parameters) sum += s.squaredNorm();
+  for (const ModeVector<1>& s : parameters) sum += s.squaredNorm();
   return std::sqrt(sum);
 }
 
@@ -77,9 +77,9 @@ Iterated iterate(const UzawaSystem& system, const std::function<bool()>& time_is
 }
 
 template <int dim>
-scene::Stress<dim> recover(const std::vector<Cell>& cells, scene::Stress<dim> stress, const Parameters& parameters) {
+scene::Stress<dim> recover(const std::vector<Cell<1>>& cells, scene::Stress<dim> stress, const Parameters& parameters) {
   for (std::size_t c = 0; c < parameters.size(); ++c) {
-    const Corners own = stress_at_corners(cells[c].piola, cells[c].compliance.matrixU().solve(parameters[c]));
+    const Corners own = block_stress<1>(cells[c].piola, cells[c].compliance.matrixU().solve(parameters[c]));
     for (int i = 0; i < 9; ++i) stress.cell[c][i] += own[i];
   }
   return stress;
@@ -93,8 +93,8 @@ Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& 
   const Clock assembling;
   Result<dim> result;
   contact::Statistics& statistics = result.statistics;
-  const Layout layout = lay_out(problem);
-  const std::vector<Cell> cells = make_cells(problem, layout);
+  const Layout layout = lay_out(problem, 1);
+  const std::vector<Cell<1>> cells = make_cells<1>(problem, layout);
   const UzawaSystem system = uzawa_system(problem, layout, cells, particular);
   statistics.seconds.assemble = assembling.seconds();
   const Clock iterating;

@@ -10,10 +10,11 @@ namespace bracket::dual {
 
 /// The nine parameters of one cell, made such that its share of ½ SᵀAS is ½ |S|²: S = Lᵀ s, A = L Lᵀ.
 struct UzawaCell {
-  Eigen::Matrix<double, n_modes, n_loads> loads;  ///< its share of (D, E)ᵀ: L⁻¹ Gᵀ; on Γ_K λn by its values at the ends
-  std::array<int, n_loads> multipliers;           ///< −1: none, the displacement is prescribed
-  LoadVector prescribed;
-  ModeVector linear;  ///< b: L⁻¹ ∫ τ_k : C⁻¹ λ̄
+  Eigen::Matrix<double, n_modes(1), n_loads(1)>
+      loads;  ///< its share of (D, E)ᵀ: L⁻¹ Gᵀ; on Γ_K λn by its values at the ends
+  std::array<int, n_loads(1)> multipliers;  ///< −1: none, the displacement is prescribed
+  LoadVector<1> prescribed;
+  ModeVector<1> linear;  ///< b: L⁻¹ ∫ τ_k : C⁻¹ λ̄
 };
 
 /// At one end of a contact facet. Without friction the two sides see opposite normal displacements but for the opening:
@@ -34,7 +35,7 @@ struct UzawaSystem {
 };
 /// \param cells make_cells()   \param particular as for uzawa()
 template <int dim>
-UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells,
+UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const Layout& layout, const std::vector<Cell<1>>& cells,
                          const scene::Stress<dim>& particular);
 
 /// The step of the iteration, 1.8 by an estimate of the largest eigenvalue of B A⁻¹ Bᵀ. The iteration converges for
@@ -42,7 +43,7 @@ UzawaSystem uzawa_system(const scene::Problem<dim>& problem, const Layout& layou
 /// over the start: a tenth for n = 70 000 multipliers [Kuczyński & Woźniakowski, SIAM J. Matrix Anal. Appl. 13 (1992)].
 double uzawa_step(const UzawaSystem& system);
 
-using Parameters = std::vector<ModeVector>;
+using Parameters = std::vector<ModeVector<1>>;
 /// S of each cell: AS = −b − Bᵀz.
 Parameters parameters(const UzawaSystem& system, const Eigen::VectorXd& multipliers);
 

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <numeric>
 #include <random>
 
@@ -29,11 +30,13 @@ Eigen::Matrix2d ends_from_moments(double length) {
 
 /// λ̄ takes the place of the cell's weight. \param prescribed displacements of its edges
 template <int dim>
-UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell& cell, int c, const LoadVector& prescribed,
+UzawaCell uzawa_cell(const Problem<dim>& problem, const Cell<1>& cell, int c, const LoadVector<1>& prescribed,
                      int first_multiplier, const scene::Stress<dim>& particular) {
-  UzawaCell result{half_stiffness(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
+  Corners linear;
+  std::copy(particular.cell[c].begin(), particular.cell[c].end(), linear.begin());
+  UzawaCell result{half_stiffness<1>(cell.compliance, cell.loads), cell.unknowns, prescribed, {}};
   result.linear = cell.compliance.matrixL().solve(
-      coupling(corners(problem.mesh, c), cell.piola, body_of(problem, c).material.compliance(), particular.cell[c]));
+      coupling<1>(corners(problem.mesh, c), cell.piola, body_of(problem, c).material.compliance(), linear));
   for (int& multiplier : result.multipliers)
     if (multiplier >= 0) multiplier += first_multiplier;
   return result;
@@ -45,7 +48,7 @@ template <int dim> void take_ends_on_contact(const Problem<dim>& problem, std::v
       if (side < 0) continue;
       const auto& facet = problem.mesh.boundary[side];
       auto& loads = cells[facet.cell].loads;
-      Eigen::Matrix<double, n_modes, 2> normal;
+      Eigen::Matrix<double, n_modes(1), 2> normal;
       for (int i = 0; i < 2; ++i) normal.col(i) = loads.col(4 * facet.local + 2 * i);
       normal *= ends_from_moments(scene::length(problem.mesh, pair.first));
       for (int i = 0; i < 2; ++i) loads.col(4 * facet.local + 2 * i) = normal.col(i);
@@ -56,7 +59,7 @@ template <int dim>
 std::vector<Opening> openings(const Problem<dim>& problem, const std::vector<UzawaCell>& cells,
                               const scene::Stress<dim>& particular) {
   const auto& mesh = problem.mesh;
-  const Eigen::VectorXd gaps = gap_moments(problem);
+  const Eigen::VectorXd gaps = gap_moments(problem, 1);
   // A facet runs along its cell's edge: its vertex i is the end i.
   const auto multiplier = [&](const auto& facet, int end) {
     return cells[facet.cell].multipliers[4 * facet.local + 2 * end];
@@ -87,8 +90,8 @@ Eigen::VectorXd violation(const UzawaSystem& system, const Parameters& parameter
   Eigen::VectorXd jump = Eigen::VectorXd::Zero(system.scale.size());
   for (std::size_t c = 0; c < parameters.size(); ++c) {
     const UzawaCell& cell = system.cells[c];
-    const LoadVector loads = cell.loads.transpose() * parameters[c];
-    for (int i = 0; i < n_loads; ++i)
+    const LoadVector<1> loads = cell.loads.transpose() * parameters[c];
+    for (int i = 0; i < n_loads(1); ++i)
       if (cell.multipliers[i] >= 0) jump[cell.multipliers[i]] -= loads[i];
   }
   for (const Opening& o : system.openings) {  // here `jump` is the pressure of τ
@@ -102,7 +105,7 @@ Eigen::VectorXd violation(const UzawaSystem& system, const Parameters& parameter
 Eigen::VectorXd diagonal(const UzawaSystem& system) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(system.scale.size());
   for (const UzawaCell& cell : system.cells)
-    for (int i = 0; i < n_loads; ++i)
+    for (int i = 0; i < n_loads(1); ++i)
       if (cell.multipliers[i] >= 0) sum[cell.multipliers[i]] += cell.loads.col(i).squaredNorm();
   for (const Opening& o : system.openings)
     if (o.second >= 0) sum[o.second] += sum[o.first];
@@ -112,14 +115,14 @@ Eigen::VectorXd diagonal(const UzawaSystem& system) {
 }  // namespace
 
 template <int dim>
-UzawaSystem uzawa_system(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells,
+UzawaSystem uzawa_system(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell<1>>& cells,
                          const scene::Stress<dim>& particular) {
   const std::vector<int> first = first_multipliers(layout);
-  const std::vector<LoadVector> prescribed = prescribed_displacements(problem);
+  const std::vector<LoadVector<1>> prescribed = prescribed_displacements<1>(problem);
   UzawaSystem system;
   for (std::size_t c = 0; c < cells.size(); ++c)
     system.cells.push_back(uzawa_cell(problem, cells[c], static_cast<int>(c),
-                                      prescribed.empty() ? LoadVector::Zero() : prescribed[c],
+                                      prescribed.empty() ? LoadVector<1>::Zero() : prescribed[c],
                                       first[problem.mesh.cell_component[c]], particular));
   take_ends_on_contact(problem, system.cells);
   system.openings = openings(problem, system.cells, particular);
@@ -153,8 +156,8 @@ Parameters parameters(const UzawaSystem& system, const Eigen::VectorXd& multipli
   Parameters result;
   result.reserve(system.cells.size());
   for (const UzawaCell& cell : system.cells) {
-    LoadVector own = cell.prescribed;
-    for (int i = 0; i < n_loads; ++i)
+    LoadVector<1> own = cell.prescribed;
+    for (int i = 0; i < n_loads(1); ++i)
       if (cell.multipliers[i] >= 0) own[i] = u[cell.multipliers[i]];
     result.push_back(cell.loads * own - cell.linear);
   }
@@ -168,6 +171,7 @@ Eigen::VectorXd next_multipliers(const UzawaSystem& system, const Eigen::VectorX
   return next;
 }
 
-template UzawaSystem uzawa_system(const Problem<2>&, const Layout&, const std::vector<Cell>&, const scene::Stress<2>&);
+template UzawaSystem uzawa_system(const Problem<2>&, const Layout&, const std::vector<Cell<1>>&,
+                                  const scene::Stress<2>&);
 
 }  // namespace bracket::dual

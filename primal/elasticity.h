@@ -7,13 +7,8 @@
 
 namespace bracket::primal {
 
-/// Nodes of a cell: its vertices, and for degree 2 the midpoints of its edges, in the order of scene::Simplex. As many
-/// unknowns a node as there are dimensions.
-template <int dim> int nodes_per_cell(int degree) {
-  return degree == 1 ? scene::Simplex<dim>::n_vertices : scene::Simplex<dim>::n_quadratic;
-}
-
-/// What one cell adds: its stiffness ∫ ε(φ_i) : C ε(φ_j).
+/// What one cell adds: its stiffness ∫ ε(B_i) : C ε(B_j) for the Bernstein polynomials of scene::control_points(), as
+/// many rows a point as there are dimensions.
 using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness)>;
 
 /// Calls `use` for each cell of a component of the mesh, in its order.

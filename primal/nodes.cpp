@@ -39,7 +39,7 @@ template <int dim> void slide(Node<dim>& node, const Vector<dim>& n, double valu
   fix<dim>(node, node.prescribed + t * ((value - node.prescribed.dot(n)) / t.dot(n)));
 }
 
-/// Builds the facets with this support into the nodes at their ends and, for degree 2, at their midpoints.
+/// Builds the facets with this support into the nodes on them.
 template <int dim> void set_supports(const Problem<dim>& problem, Nodes<dim>& nodes, Support support) {
   const auto& mesh = problem.mesh;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -57,9 +57,12 @@ template <int dim> void set_supports(const Problem<dim>& problem, Nodes<dim>& no
     };
     for (int i = 0; i < dim; ++i)
       apply(nodes.node[nodes.at_vertex(facet.vertices[i])], data.displacement[i], data.normal_displacement[i]);
-    if (nodes.degree == 2)
-      apply(nodes.node[nodes.at_edge(mesh, facet.edge)], (data.displacement[0] + data.displacement[1]) / 2,
-            (data.normal_displacement[0] + data.normal_displacement[1]) / 2);
+    const auto& [u0, u1] = data.displacement;
+    const auto& [s0, s1] = data.normal_displacement;
+    for (int k = 1; k < nodes.degree; ++k)
+      apply(nodes.node[nodes.on_edge(mesh, facet.edge, facet.vertices[0], k)],
+            scene::linear_coefficient<double>(u0, u1, nodes.degree, k),
+            scene::linear_coefficient<double>(s0, s1, nodes.degree, k));
   }
 }
 
@@ -122,26 +125,44 @@ template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree
   scene::check_degree(degree);
   const auto& mesh = problem.mesh;
   Nodes<dim> nodes{degree, {}, {}};
-  nodes.node.resize(mesh.vertices.size() + (degree == 2 ? mesh.edges.size() : 0));
+  nodes.node.resize(mesh.vertices.size() + scene::n_inside_edge(degree) * mesh.edges.size() +
+                    scene::n_inside_cell(degree) * mesh.cells.size());
   set_supports(problem, nodes, Support::fixed);
   set_supports(problem, nodes, Support::sliding);
   set_supports(problem, nodes, Support::contact);
 
   nodes.body_nodes.assign(mesh.components.size(), {0});
-  const auto number = [&](int index, std::vector<int>& offsets) {
-    Node<dim>& node = nodes.node[index];
-    if (node.number >= 0) return;
-    node.number = static_cast<int>(offsets.size()) - 1;
-    node.unknown = offsets.back();
-    offsets.push_back(offsets.back() + node.free);
+  const auto number = [&](int first, int count, std::vector<int>& offsets) {  // those of a vertex, edge or cell
+    if (count == 0 || nodes.node[first].number >= 0) return;
+    int unknown = offsets.back();
+    for (int i = first; i < first + count; ++i) {
+      nodes.node[i].number = static_cast<int>(offsets.size()) - 1;
+      nodes.node[i].unknown = unknown;
+      unknown += nodes.node[i].free;
+    }
+    offsets.push_back(unknown);
   };
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     auto& offsets = nodes.body_nodes[mesh.cell_component[c]];
-    for (const int v : mesh.cells[c]) number(nodes.at_vertex(v), offsets);
-    if (degree == 2)
-      for (const int e : mesh.cell_edges[c]) number(nodes.at_edge(mesh, e), offsets);
+    for (const int v : mesh.cells[c]) number(nodes.at_vertex(v), 1, offsets);
+    for (const int e : mesh.cell_edges[c])
+      number(nodes.on_edge(mesh, e, mesh.edges[e][0], 1), scene::n_inside_edge(degree), offsets);
+    number(nodes.in_cell(mesh, static_cast<int>(c), 0), scene::n_inside_cell(degree), offsets);
   }
   return nodes;
+}
+
+template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int cell) {
+  std::vector<int> list;
+  for (const auto& [on, which, k] : scene::control_points(nodes.degree)) switch (on) {
+      case scene::ControlPoint::On::vertex: list.push_back(nodes.at_vertex(mesh.cells[cell][which])); break;
+      case scene::ControlPoint::On::edge:
+        list.push_back(nodes.on_edge(mesh, mesh.cell_edges[cell][which],
+                                     mesh.cells[cell][scene::Simplex<dim>::edges[which][0]], k));
+        break;
+      case scene::ControlPoint::On::cell: list.push_back(nodes.in_cell(mesh, cell, k)); break;
+    }
+  return list;
 }
 
 template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap) {
@@ -164,7 +185,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
   };
   const auto body_of = [&](int facet) { return mesh.cell_component[mesh.boundary[facet].cell]; };
 
-  // The middle rows come first: where rows depend on each other, the earlier ones are kept active.
+  // The inner rows come first: where rows depend on each other, the earlier ones are kept active.
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const auto& pair = problem.contact[j];
     const auto& [ga, middle, gb] = pair.lower;
@@ -173,17 +194,23 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
     const bool met = middle >= (ga + gb) / 2 - rounding * std::max(std::abs(ga), std::abs(gb));
     if (nodes.degree == 1 && met && !any_gap) continue;
     const Vector<dim>& d = problem.facets[pair.first].normal;
-    Row row{{}, middle, std::abs(middle), static_cast<int>(j)};
-    for (const int side : {pair.first, pair.second}) {
-      if (side < 0) continue;
-      const auto& facet = mesh.boundary[side];
-      const double sign = side == pair.first ? 1 : -1;
-      for (const int v : facet.vertices)
-        approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * (nodes.degree == 2 ? -0.5 : 0.5));
-      if (nodes.degree == 2) approach.add(row, nodes.at_edge(mesh, facet.edge), body_of(side), d, sign * 2);
+    const std::vector<double> gap = scene::raised_to<double>(nodes.degree, std::vector<double>{ga, middle, gb});
+    for (std::size_t k = 1; k + 1 < gap.size(); ++k) {
+      Row row{{}, gap[k], std::abs(gap[k]), static_cast<int>(j)};
+      for (const int side : {pair.first, pair.second}) {
+        if (side < 0) continue;
+        const auto& facet = mesh.boundary[side];
+        const double sign = side == pair.first ? 1 : -1;
+        if (nodes.degree == 1)
+          for (const int v : facet.vertices) approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * 0.5);
+        else
+          approach.add(row,
+                       nodes.on_edge(mesh, facet.edge, facet.vertices[side == pair.first ? 0 : 1], static_cast<int>(k)),
+                       body_of(side), d, sign);
+      }
+      const auto& [a, b] = mesh.boundary[pair.first].vertices;
+      keep(std::move(row), (mesh.vertices[a] + mesh.vertices[b]) / 2);
     }
-    const auto& [a, b] = mesh.boundary[pair.first].vertices;
-    keep(std::move(row), (mesh.vertices[a] + mesh.vertices[b]) / 2);
   }
   for (const EndRow& end : end_rows(problem)) {
     const auto& pair = problem.contact[end.facet];
@@ -198,6 +225,7 @@ template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, co
 template struct Node<2>;
 template struct Nodes<2>;
 template Nodes<2> make_nodes(const Problem<2>&, int);
+template std::vector<int> cell_nodes(const scene::Mesh<2>&, const Nodes<2>&, int);
 template std::vector<Row> contact_rows(const Problem<2>&, const Nodes<2>&, bool);
 
 }  // namespace bracket::primal

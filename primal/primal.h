@@ -6,7 +6,8 @@
 #include "contact/contact.h"
 #include "scene/scene.h"
 
-/// Displacements: the upper bound. Lagrange elements on triangles, exactly admissible: u_h ∈ K (docs/theory.md §3).
+/// Displacements: the upper bound. Polynomials on triangles in Bernstein form, exactly
+/// admissible: u_h ∈ K (docs/theory.md §3).
 namespace bracket::primal {
 
 template <int dim> struct Result {
@@ -19,7 +20,7 @@ template <int dim> struct Result {
 
 /// What can be said of a contact without a solve: whether the displacements prescribed on both of its sides leave any
 /// that are admissible, K_h ≠ ∅ there.
-/// \param degree 1 or 2, as for Solver
+/// \param degree 1 to 4, as for Solver
 /// \throw scene::Error (input: another degree; ill_posed: they alone already close a gap by more than it has)
 template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
 
@@ -30,7 +31,7 @@ template <int dim> class Solver {
   /// \param degree of the displacements
   /// \param any_gap whether problems are to follow whose gaps are not linear where those of this one are, or the other
   ///     way round
-  /// \throw scene::Error (input) if it is neither 1 nor 2; as check_prescribed()
+  /// \throw scene::Error (input) if it is not from 1 to 4; as check_prescribed()
   Solver(const scene::Problem<dim>& problem, int degree, bool any_gap = false);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed

@@ -14,23 +14,42 @@ namespace {
 using scene::Problem;
 using scene::Vector;
 
+/// The values at equally spaced points of the polynomials with the coefficients found.
 template <int dim>
 scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
                                  const std::vector<Eigen::VectorXd>& unknowns) {
-  scene::Displacement<dim> field;
-  field.degree = nodes.degree;
+  const int degree = nodes.degree;
+  scene::Displacement<dim> field{degree, {}, {}, {}};
   field.vertex.resize(mesh.vertices.size());
-  field.edge.resize(nodes.degree == 2 ? mesh.edges.size() : 0);
-  const auto value = [&](const Node<dim>& node, int body) {
-    Vector<dim> u = node.prescribed;
-    for (int k = 0; k < node.free; ++k) u += node.directions.col(k) * unknowns[body][node.unknown + k];
-    return u;
-  };
+  field.edge.resize(scene::n_inside_edge(degree) * mesh.edges.size());
+  const auto& points = scene::control_points(degree);
+  const auto indices = scene::bernstein_indices(degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int body = mesh.cell_component[c];
-    for (const int v : mesh.cells[c]) field.vertex[v] = value(nodes.node[nodes.at_vertex(v)], body);
-    if (nodes.degree == 2)
-      for (const int e : mesh.cell_edges[c]) field.edge[e] = value(nodes.node[nodes.at_edge(mesh, e)], body);
+    const int cell = static_cast<int>(c);
+    const Eigen::VectorXd& own = unknowns[mesh.cell_component[c]];
+    std::vector<Vector<dim>> u;
+    for (const int i : cell_nodes(mesh, nodes, cell)) {
+      const Node<dim>& node = nodes.node[i];
+      u.push_back(node.prescribed);
+      for (int k = 0; k < node.free; ++k) u.back() += node.directions.col(k) * own[node.unknown + k];
+    }
+    for (int v = 0; v <= dim; ++v) field.vertex[mesh.cells[c][v]] = u[scene::vertex_place(degree, v)];
+    for (int e = 0; e < scene::Simplex<dim>::n_edges && degree > 1; ++e) {
+      const auto& [from, to] = scene::Simplex<dim>::edges[e];
+      std::vector<Vector<dim>> side(degree + 1, u[scene::vertex_place(degree, from)]);
+      side[degree] = u[scene::vertex_place(degree, to)];
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].on == scene::ControlPoint::On::edge && points[i].which == e) side[points[i].k] = u[i];
+      for (int k = 1; k < degree; ++k)
+        field.edge[scene::place_inside_edge(mesh, degree, mesh.cell_edges[c][e], mesh.cells[c][from], k)] =
+            scene::value_on_segment(side, static_cast<double>(k) / degree);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].on != scene::ControlPoint::On::cell) continue;
+      std::array<double, 3> at;
+      for (int corner = 0; corner < 3; ++corner) at[corner] = static_cast<double>(indices[i][corner]) / degree;
+      field.cell.push_back(scene::value_on_triangle(u, degree, at));
+    }
   }
   return field;
 }

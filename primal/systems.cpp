@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "primal/systems.h"
 
+#include <algorithm>
+
 #include "primal/elasticity.h"
 
 namespace bracket::primal {
@@ -11,15 +13,6 @@ using scene::Problem;
 using scene::Support;
 using scene::Vector;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-
-/// Indices into Nodes::node of a cell's nodes, in the order of elasticity.h.
-template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int cell) {
-  std::vector<int> list;
-  for (const int v : mesh.cells[cell]) list.push_back(nodes.at_vertex(v));
-  if (nodes.degree == 2)
-    for (const int e : mesh.cell_edges[cell]) list.push_back(nodes.at_edge(mesh, e));
-  return list;
-}
 
 /// Adds a cell to its body, its nodes written in their own directions: u = prescribed + directions q.
 template <int dim>
@@ -58,11 +51,14 @@ template <int dim> void set_rigid_motions(const Problem<dim>& problem, const Nod
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int body = mesh.cell_component[c];
     if (motions[body].empty()) continue;
-    for (const int v : mesh.cells[c]) set(body, nodes.node[nodes.at_vertex(v)], mesh.vertices[v]);
-    if (nodes.degree == 1) continue;
-    for (const int e : mesh.cell_edges[c])
-      set(body, nodes.node[nodes.at_edge(mesh, e)],
-          (mesh.vertices[mesh.edges[e][0]] + mesh.vertices[mesh.edges[e][1]]) / 2);
+    const std::vector<int> list = cell_nodes(mesh, nodes, static_cast<int>(c));
+    const auto indices = scene::bernstein_indices(nodes.degree);
+    const auto x = scene::positions(mesh, mesh.cells[c]);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      Vector<dim> at = x[0];
+      for (int corner = 1; corner <= dim; ++corner) at += indices[i][corner] * (x[corner] - x[0]) / nodes.degree;
+      set(body, nodes.node[list[i]], at);
+    }
   }
 }
 
@@ -88,16 +84,9 @@ void add_weights(const Problem<dim>& problem, const Nodes<dim>& nodes, std::vect
     const int body = mesh.cell_component[c];
     const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
     if (force.isZero(0)) continue;
-    using Table = scene::Simplex<dim>;
-    const double volume = scene::volume(mesh, static_cast<int>(c));
-    const auto mean = [&](int node) {
-      return nodes.degree == 1 ? volume / Table::n_vertices
-                               : Table::quadratic_mean(node) * volume / Table::quadratic_means_of;
-    };
-    for (const int v : mesh.cells[c]) add_load<dim>(nodes.node[nodes.at_vertex(v)], force * mean(0), loads[body]);
-    if (nodes.degree == 1) continue;
-    for (const int e : mesh.cell_edges[c])
-      add_load<dim>(nodes.node[nodes.at_edge(mesh, e)], force * mean(Table::n_vertices), loads[body]);
+    const std::vector<int> list = cell_nodes(mesh, nodes, static_cast<int>(c));
+    const Vector<dim> share = force * (scene::volume(mesh, static_cast<int>(c)) / static_cast<double>(list.size()));
+    for (const int i : list) add_load<dim>(nodes.node[i], share, loads[body]);
   }
 }
 
@@ -109,12 +98,15 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
     const auto& facet = mesh.boundary[f];
     Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
     const auto ends = scene::load(problem, static_cast<int>(f));
-    for (int i = 0; i < dim; ++i) {
-      const Vector<dim> force = nodes.degree == 1 ? scene::hat_moment(ends, i) : scene::quadratic_moment(ends, i);
-      add_load(nodes.node[nodes.at_vertex(facet.vertices[i])], force, load);
+    for (int k = 0; k <= nodes.degree; ++k) {
+      Vector<dim> force = Vector<dim>::Zero();
+      for (int i = 0; i < dim; ++i)
+        force += scene::number<double>(scene::bernstein_mass(nodes.degree, k, 1, i)) * ends[i];
+      const int at = k == 0              ? nodes.at_vertex(facet.vertices[0])
+                     : k == nodes.degree ? nodes.at_vertex(facet.vertices[1])
+                                         : nodes.on_edge(mesh, facet.edge, facet.vertices[0], k);
+      add_load(nodes.node[at], force, load);
     }
-    if (nodes.degree == 2)
-      add_load<dim>(nodes.node[nodes.at_edge(mesh, facet.edge)], scene::quadratic_moment(ends, dim), load);
   }
 }
 
@@ -126,13 +118,20 @@ Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, cons
   Systems<dim> systems;
   systems.body.resize(mesh.components.size());
   std::vector<std::vector<int>> numbers(mesh.components.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c)))
-      numbers[mesh.cell_component[c]].push_back(nodes.node[i].number);
+  int per_cell = 0;  // vertices, edges and cells that nodes are numbered by
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    std::vector<int> own;
+    for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c))) own.push_back(nodes.node[i].number);
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    per_cell = static_cast<int>(own.size());
+    auto& of_body = numbers[mesh.cell_component[c]];
+    of_body.insert(of_body.end(), own.begin(), own.end());
+  }
   for (std::size_t b = 0; b < systems.body.size(); ++b) {
     contact::System& body = systems.body[b];
     body.nodes = nodes.body_nodes[b];
-    contact::Assembly assembly(body.nodes, numbers[b], nodes_per_cell<dim>(nodes.degree));
+    contact::Assembly assembly(body.nodes, numbers[b], per_cell);
     Triplets held;
     for_each_cell<dim>(problem, static_cast<int>(b), nodes.degree, [&](int cell, const Eigen::MatrixXd& stiffness) {
       add_cell(nodes, cell_nodes(mesh, nodes, cell), stiffness, assembly, held);

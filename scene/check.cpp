@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scene/fault.h"
+#include "scene/fields.h"
 #include "scene/range.h"
 #include "scene/text.h"
 
@@ -224,8 +225,8 @@ Found contact_fault(const Scene<2>& scene) {
 // ---- settings -------------------------------------------------------------------------------------------------------
 
 Found degree_fault(int degree) {
-  if (degree == 1 || degree == 2) return {};
-  return Fault{{"solve", "degree"}, fmt::format("solve.degree must be 1 or 2, is {}", degree)};
+  if (1 <= degree && degree <= largest_degree) return {};
+  return Fault{{"solve", "degree"}, fmt::format("solve.degree must be from 1 to {}, is {}", largest_degree, degree)};
 }
 
 Found settings_fault(const Refine& refine, const Solve& solve) {
@@ -240,7 +241,13 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
   if (refine.max_levels < 1) return fault("max_levels", "be at least 1", refine.max_levels);
   if (refine.max_cells < 1) return fault("max_cells", "be at least 1", refine.max_cells);
   if (refine.max_seconds < 1) return fault("max_seconds", "be at least 1", refine.max_seconds);
-  return degree_fault(solve.degree);
+  if (Found wrong = degree_fault(solve.degree)) return wrong;
+  if (solve.dual == Dual::uzawa && solve.degree > 2)
+    return Fault{{"solve", "dual"},
+                 fmt::format("solve.dual = \"uzawa\" has linear stresses, beside displacements of degree 1 or 2; "
+                             "solve.degree is {}: write solve.dual = \"hybrid\"",
+                             solve.degree)};
+  return {};
 }
 
 }  // namespace

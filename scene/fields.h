@@ -2,32 +2,73 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
-#include "scene/mesh/simplex.h"
+#include "scene/bernstein.h"
+#include "scene/mesh/mesh.h"
 
 /// The two fields, as plain values: whoever has them, from whatever solver, can have them certified.
 namespace bracket::scene {
 
-/// A continuous displacement field, linear (degree 1) or quadratic (degree 2) on each cell.
+/// The highest degree of displacements.
+inline constexpr int largest_degree = 4;
+/// The degree of the stresses beside displacements of a degree.
+constexpr int stress_degree(int degree) { return degree > 1 ? degree - 1 : 1; }
+
+/// How many values of a field of displacements lie inside of an edge and inside of a cell.
+constexpr int n_inside_edge(int degree) { return degree - 1; }
+constexpr int n_inside_cell(int degree) { return (degree - 1) * (degree - 2) / 2; }
+
+/// A continuous displacement field, on each cell a polynomial of a degree from 1 to 4, by its values at equally spaced
+/// points.
 template <int dim> struct Displacement {
   int degree = 2;
   std::vector<Vector<dim>> vertex;  ///< at Mesh::vertices
-  std::vector<Vector<dim>> edge;    ///< at the midpoints of Mesh::edges; empty for degree 1
+  /// Inside of Mesh::edges, degree − 1 each, from its lower vertex to its higher; degree 2: at its midpoint.
+  std::vector<Vector<dim>> edge;
+  /// Inside of Mesh::cells, (degree − 1)(degree − 2)/2 each: degree 3: at the centroid; degree 4: those next to the
+  /// vertices 0, 1, 2.
+  std::vector<Vector<dim>> cell = {};
 };
 
-/// A stress field, linear on the parts of each cell, which meet at its centroid. Part k holds the facet opposite to
-/// vertex k; its corners are the vertices of that, in the order of Simplex::facets, and the centroid.
+/// A stress field, on the parts of each cell, which meet at its centroid, a polynomial of a degree from 1 to 3. Part k
+/// holds the facet opposite to vertex k; its corners are the vertices of that, in the order of Simplex::facets, and the
+/// centroid.
 template <int dim> struct Stress {
-  std::vector<std::array<Voigt<dim>, (dim + 1) * (dim + 1)>> cell;  ///< of each cell, at [(dim + 1) part + corner]
+  int degree = 1;
+  /// Of each cell the Bernstein coefficients, part by part; degree 1: [3 part + corner]. Those of a part begin with
+  /// those on its facet.
+  std::vector<std::vector<Voigt<dim>>> cell;
 };
 
-/// The stress at the corners of one part of a cell.
-template <int dim>
-std::array<Voigt<dim>, std::size_t{dim} + 1> stress_of_part(const Stress<dim>& stress, int cell, int part) {
-  std::array<Voigt<dim>, dim + 1> corners;
-  for (int i = 0; i <= dim; ++i) corners[i] = stress.cell[cell][(dim + 1) * part + i];
-  return corners;
+/// The coefficients on one part of a cell.
+template <int dim> std::span<const Voigt<dim>> stress_of_part(const Stress<dim>& stress, int cell, int part) {
+  static_assert(dim == 2);
+  const auto n = static_cast<std::size_t>(n_bernstein(stress.degree));
+  return std::span(stress.cell[cell]).subspan(n * part, n);
 }
+
+/// The value inside of an edge that, seen along a cell's side or a facet, is the k-th from its first vertex: its place
+/// in Displacement::edge.
+inline int place_inside_edge(const Mesh<2>& mesh, int degree, int edge, int first_vertex, int k) {
+  const bool forward = mesh.edges[edge][0] == first_vertex;
+  return n_inside_edge(degree) * edge + (forward ? k : degree - k) - 1;
+}
+
+/// The place of a vertex among the coefficients of a cell.
+constexpr int vertex_place(int degree, int vertex) {
+  return vertex == 0 ? 0 : vertex == 1 ? degree : n_bernstein(degree) - 1;
+}
+
+/// Where a Bernstein coefficient of a cell belongs to.
+struct ControlPoint {
+  enum class On { vertex, edge, cell };
+  On on;
+  int which;  ///< vertex or edge of the cell
+  int k;      ///< edge: the k-th from its first vertex, as in Simplex::edges; cell: the k-th from 0 on
+};
+/// Of all coefficients of a degree up to the largest, in their order.
+const std::vector<ControlPoint>& control_points(int degree);
 
 }  // namespace bracket::scene

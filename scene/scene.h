@@ -107,7 +107,7 @@ struct Refine {
 };
 
 struct Solve {
-  int degree = 2;  ///< of the displacements, 1 or 2
+  int degree = 2;  ///< of the displacements, 1 to 4; stresses have one less, at least 1
   Dual dual = Dual::hybrid;
 };
 
@@ -143,7 +143,7 @@ Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::
 template <int dim> void check(const Scene<dim>& scene);
 /// The part of it that concerns the settings alone.
 void check_settings(const Refine& refine, const Solve& solve);
-/// \throw Error (input) unless displacements of this degree are known: 1 or 2
+/// \throw Error (input) unless displacements of this degree are known: 1 to 4
 void check_degree(int degree);
 
 /// Reads a mesh file: Gmsh, Abaqus or what else libgmsh reads (docs/meshes.md). What it names bodies and boundary parts

@@ -48,7 +48,7 @@ void mesh(const MeshOptions& options) {
   const std::string ending = ending_of(options.file);
   const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
   const scene::Mesh<2> mesh = refined(scene, options.refine).mesh;
-  const int degree = options.degree == 0 ? scene.solve.degree : options.degree;
+  const int degree = options.degree == 0 ? std::min(scene.solve.degree, 2) : options.degree;  // what the formats have
   write_new_file(options.file,
                  ending == ".msh"   ? scene::gmsh_text(mesh, degree)
                  : ending == ".inp" ? scene::abaqus_text(mesh, degree, scene.plane)

@@ -47,7 +47,7 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   {
     Watch watch;
     for (const auto strategy : {scene::Strategy::uniform, scene::Strategy::adaptive})
-      for (const int degree : {1, 2}) {
+      for (int degree = 1; degree <= scene::largest_degree; ++degree) {
         if (watch.interrupted()) continue;
         scene.refine.strategy = strategy;
         scene.solve.degree = degree;

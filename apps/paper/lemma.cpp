@@ -31,7 +31,8 @@ struct Forces {
 };
 
 /// ∫ λ : ε(v) on one part of a cell, by its polynomials: v's coefficients at the cell's vertices and edges.
-void add_part(const scene::Mesh<2>& mesh, int cell, int part, const dual::Corners& stress, Forces& forces) {
+void add_part(const scene::Mesh<2>& mesh, int cell, int part, const std::vector<scene::Voigt<2>>& stress,
+              Forces& forces) {
   const auto& v = mesh.cells[cell];
   using Table = scene::Simplex<2>;
   const double part_area = scene::volume(mesh, cell) / 3;
@@ -118,9 +119,9 @@ double largest(const scene::Stress<2>& stress) {
 /// The block's stress that loads but one side, along itself, by moments ∓1 at its ends.
 dual::Corners shear_of_side(const scene::Mesh<2>& mesh, int cell, int side, double size) {
   const auto& v = mesh.cells[cell];
-  const auto block = dual::block_element({mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]},
-                                         scene::Elasticity<2>::Identity());
-  dual::Corners corners = dual::stress_at_corners(block.piola, dual::ModeVector::Unit(6 + side));
+  const auto block = dual::block_element<1>({mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]},
+                                            scene::Elasticity<2>::Identity());
+  dual::Corners corners = dual::block_stress<1>(block.piola, dual::ModeVector<1>::Unit(6 + side));
   double greatest = 0;
   for (const Voigt<2>& s : corners) greatest = std::max(greatest, s.cwiseAbs().maxCoeff());
   for (Voigt<2>& s : corners) s *= size / greatest;

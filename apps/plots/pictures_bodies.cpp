@@ -70,10 +70,16 @@ std::vector<Line> outline(const bounds::Outcome<2>& run, double factor) {
   std::vector<Line> lines;
   for (const auto& facet : mesh.boundary) {
     const auto& [a, b] = facet.vertices;
-    const scene::Vector<2> middle = (mesh.vertices[a] + mesh.vertices[b]) / 2;
-    lines.push_back({mesh.vertices[a] + factor * run.displacement.vertex[a],
-                     middle + factor * at_edge(mesh, run.displacement, facet.edge),
-                     mesh.vertices[b] + factor * run.displacement.vertex[b]});
+    Line& line = lines.emplace_back();
+    const int last = run.displacement.degree;
+    for (int i = 0; i <= last; ++i) {
+      const double t = static_cast<double>(i) / last;
+      std::array<double, 3> point = {0, 0, 0};
+      point[scene::Simplex<2>::facets[facet.local][0]] = 1 - t;
+      point[scene::Simplex<2>::facets[facet.local][1]] = t;
+      line.push_back((1 - t) * mesh.vertices[a] + t * mesh.vertices[b] +
+                     factor * at(mesh, run.displacement, facet.cell, point));
+    }
   }
   return lines;
 }
@@ -97,23 +103,37 @@ std::array<Tile, 6> stress_tiles(const bounds::Outcome<2>& run, int cell, double
   const scene::Mesh<2>& mesh = run.problem.mesh;
   const auto& vertices = mesh.cells[cell];
   const auto sigma = bounds::displacement_stress(run.problem, run.displacement, cell);
-  const scene::Voigt<2> sigma_centre = (sigma[0] + sigma[1] + sigma[2]) / 3;
+  const int degree = run.stress.degree;
+  const auto of_displacement = [&](const std::array<double, 3>& point) {
+    return scene::value_on_triangle(sigma, scene::stress_degree(run.displacement.degree), point);
+  };
+  constexpr std::array<double, 3> centroid = {1.0 / 3, 1.0 / 3, 1.0 / 3};
   const scene::Vector<2> centre =
       (mesh.vertices[vertices[0]] + mesh.vertices[vertices[1]] + mesh.vertices[vertices[2]]) / 3 +
-      factor * at_centroid(mesh, run.displacement, cell);
+      factor * at(mesh, run.displacement, cell, centroid);
   std::array<Tile, 6> tiles;
   for (int part = 0; part < 3; ++part) {
     const int a = (part + 1) % 3, b = (part + 2) % 3;
-    const auto* lambda = &run.stress.cell[cell][3 * part];
+    const auto own = scene::stress_of_part(run.stress, cell, part);
+    const std::vector<scene::Voigt<2>> lambda(own.begin(), own.end());
+    const auto mean = [&](double t, double inside) {  // of both stresses, on the part's edge or at the centroid
+      std::array<double, 3> point = {inside / 3, inside / 3, inside / 3};
+      point[a] += (1 - inside) * (1 - t);
+      point[b] += (1 - inside) * t;
+      const auto equilibrated =
+          scene::value_on_triangle(lambda, degree, {(1 - inside) * (1 - t), (1 - inside) * t, inside});
+      return shear((equilibrated + of_displacement(point)) / 2);
+    };
     const auto moved = [&](int k) -> scene::Vector<2> {
       return mesh.vertices[vertices[k]] + factor * run.displacement.vertex[vertices[k]];
     };
-    const scene::Vector<2> middle = (mesh.vertices[vertices[a]] + mesh.vertices[vertices[b]]) / 2 +
-                                    factor * at_edge(mesh, run.displacement, mesh.cell_edges[cell][part]);
-    const scene::Voigt<2> at_a = (lambda[0] + sigma[a]) / 2, at_b = (lambda[1] + sigma[b]) / 2;
-    const float in_middle = shear((at_a + at_b) / 2), in_centre = shear((lambda[2] + sigma_centre) / 2);
-    tiles[2 * part] = {{moved(a), middle, centre}, {shear(at_a), in_middle, in_centre}};
-    tiles[2 * part + 1] = {{middle, moved(b), centre}, {in_middle, shear(at_b), in_centre}};
+    std::array<double, 3> half = {0, 0, 0};
+    half[a] = half[b] = 0.5;
+    const scene::Vector<2> middle =
+        (mesh.vertices[vertices[a]] + mesh.vertices[vertices[b]]) / 2 + factor * at(mesh, run.displacement, cell, half);
+    const float in_middle = mean(0.5, 0), in_centre = mean(0, 1);
+    tiles[2 * part] = {{moved(a), middle, centre}, {mean(0, 0), in_middle, in_centre}};
+    tiles[2 * part + 1] = {{middle, moved(b), centre}, {in_middle, mean(1, 0), in_centre}};
   }
   return tiles;
 }

@@ -30,15 +30,15 @@ Unrolled unroll(const Report& report, int pair) {
       const int facet = problem.contact[i].first;
       const double from = line.length, to = from + scene::length(problem.mesh, facet);
       const bounds::ContactState& state = report.contact[i];
-      const auto pressure = displacement_pressure(problem, report.outcome.displacement, facet);
-      add(line.equilibrated, from, state.pressure[0]);
-      add(line.equilibrated, to, state.pressure[1]);
-      add(line.of_displacement, from, pressure[0]);
-      add(line.of_displacement, to, pressure[1]);
+      const auto draw = [&](std::string& data, const std::vector<double>& coefficients) {
+        const std::vector<double> values = samples(coefficients);
+        for (std::size_t k = 0; k < values.size(); ++k)
+          add(data, from + (to - from) * static_cast<double>(k) / static_cast<double>(values.size() - 1), values[k]);
+      };
+      draw(line.equilibrated, state.pressure);
+      draw(line.of_displacement, displacement_pressure(problem, report.outcome.displacement, facet));
       line.of_displacement += "\n";  // it jumps from edge to edge
-      add(line.gap, from, state.gap_left[0]);
-      add(line.gap, (from + to) / 2, state.gap_left[2]);
-      add(line.gap, to, state.gap_left[1]);
+      draw(line.gap, state.gap_left);
       if (presses(state, rounding)) {
         add(line.pressed, from, 1);
         add(line.pressed, to, 1);

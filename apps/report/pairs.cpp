@@ -46,14 +46,18 @@ PairSummary summary(const Report& report, int pair) {
       const int first = problem.contact[chain[i]].first;
       const auto& pressure = report.contact[chain[i]].pressure;
       const double length = scene::length(problem.mesh, first);
-      result.force += length * (pressure[0] + pressure[1]) / 2;
+      for (const double p : pressure) result.force += length * p / static_cast<double>(pressure.size());
       result.length += length;
       if (presses(report.contact[chain[i]], rounding)) result.pressed_length += length;
-      for (int end = 0; end < 2; ++end) {
-        if (pressure[end] <= std::max(result.largest_pressure, rounding)) continue;
-        result.largest_pressure = pressure[end];
-        result.at = problem.mesh.vertices[problem.mesh.boundary[first].vertices[end]];
-        result.grows = growth(report, chain, i, end);
+      const std::vector<double> values = samples(pressure);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k] <= std::max(result.largest_pressure, rounding)) continue;
+        const bool at_end = k == 0 || k + 1 == values.size();
+        const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[first].vertices);
+        const double t = static_cast<double>(k) / static_cast<double>(values.size() - 1);
+        result.largest_pressure = values[k];
+        result.at = k + 1 == values.size() ? b : scene::Vector<2>(a + t * (b - a));
+        result.grows = at_end ? growth(report, chain, i, k == 0 ? 0 : 1) : "";
       }
     }
   return result;

@@ -5,37 +5,42 @@
 #include <map>
 #include <set>
 
+#include "scene/offsets.h"
 #include "scene/voigt.h"
 
 namespace bracket::apps {
 
-scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int edge) {
-  if (displacement.degree == 2) return displacement.edge[edge];
-  const auto [a, b] = mesh.edges[edge];
-  return (displacement.vertex[a] + displacement.vertex[b]) / 2;
+scene::Vector<2> at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
+                    const std::array<double, 3>& point) {
+  scene::Vector<2> u =
+      scene::value_on_triangle(scene::offsets_on_cell(mesh, displacement, cell), displacement.degree, point);
+  for (int k = 0; k < 3; ++k) u += point[k] * displacement.vertex[mesh.cells[cell][k]];
+  return u;
 }
 
-/// The shape functions of the quadratics are −1/9 at the vertices' nodes there, 4/9 at those of the edges.
-scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell) {
-  scene::Vector<2> vertices = scene::Vector<2>::Zero(), edges = vertices;
-  for (int k = 0; k < 3; ++k) {
-    vertices += displacement.vertex[mesh.cells[cell][k]];
-    if (displacement.degree == 2) edges += displacement.edge[mesh.cell_edges[cell][k]];
-  }
-  return displacement.degree == 2 ? scene::Vector<2>((4 * edges - vertices) / 9) : scene::Vector<2>(vertices / 3);
-}
-
-std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
-                                            const scene::Displacement<2>& displacement, int facet) {
-  const auto& at = problem.mesh.boundary[facet];
-  const auto stress = bounds::displacement_stress(problem, displacement, at.cell);
+std::vector<double> displacement_pressure(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                                          int facet) {
+  const auto& on = problem.mesh.boundary[facet];
+  const auto stress = bounds::displacement_stress(problem, displacement, on.cell);
   const scene::Vector<2> d = problem.facets[facet].normal;
-  std::array<double, 2> pressure;
-  for (int end = 0; end < 2; ++end) {
-    const int vertex = scene::Simplex<2>::facets[at.local][end];
-    pressure[end] = -scene::traction<2>(stress[vertex], d).dot(d);
+  const int degree = scene::stress_degree(displacement.degree);
+  const auto& [from, to] = scene::Simplex<2>::facets[on.local];
+  std::vector<double> pressure;
+  for (int k = 0; k <= degree; ++k) {
+    std::array<int, 3> index = {0, 0, 0};
+    index[from] = degree - k;
+    index[to] = k;
+    pressure.push_back(-scene::traction<2>(stress[scene::bernstein_place(index)], d).dot(d));
   }
   return pressure;
+}
+
+std::vector<double> samples(const std::vector<double>& coefficients) {
+  const int degree = static_cast<int>(coefficients.size()) - 1, last = degree == 1 ? 1 : 4 * degree;
+  std::vector<double> values;
+  for (int i = 0; i <= last; ++i)
+    values.push_back(scene::value_on_segment(coefficients, static_cast<double>(i) / last));
+  return values;
 }
 
 std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {

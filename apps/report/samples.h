@@ -9,14 +9,18 @@
 /// The fields at points where files and pictures need them.
 namespace bracket::apps {
 
-/// u_h at the midpoint of an edge and at the centroid of a cell.
-scene::Vector<2> at_edge(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int edge);
-scene::Vector<2> at_centroid(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell);
+/// u_h at a point of a cell, by its barycentric coordinates.
+scene::Vector<2> at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
+                    const std::array<double, 3>& point);
 
-/// Pressure −d·σ(u_h)d at the vertices 0 and 1 of a contact pair's first facet, whose outward normal is d; linear
-/// between.
-std::array<double, 2> displacement_pressure(const scene::Problem<2>& problem,
-                                            const scene::Displacement<2>& displacement, int facet);
+/// Pressure −d·σ(u_h)d on a contact pair's first facet, whose outward normal is d, by Bernstein coefficients from its
+/// vertex 0 to its vertex 1.
+std::vector<double> displacement_pressure(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                                          int facet);
+
+/// The values of what has these coefficients at equally spaced points from end to end, so many that the lines between
+/// them look like it.
+std::vector<double> samples(const std::vector<double>& coefficients);
 
 /// Contact facets of one pair that follow one another along its first side.
 using Chain = std::vector<int>;  ///< indices into Problem::contact

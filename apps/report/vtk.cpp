@@ -113,35 +113,58 @@ void append(std::vector<double>& points, const scene::Vector<2>& point) {
 
 }  // namespace
 
+namespace {
+
+/// The points of VTK's triangle of an order, barycentric: corners, then those inside of its sides, then those inside.
+std::vector<std::array<double, 3>> points_of(int order) {
+  std::vector<std::array<double, 3>> points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int side = 0; side < 3; ++side)
+    for (int k = 1; k < order; ++k) {
+      std::array<double, 3> point = {0, 0, 0};
+      point[(side + 1) % 3] = static_cast<double>(k) / order;
+      point[side] = 1 - point[(side + 1) % 3];
+      points.push_back(point);
+    }
+  for (const auto& i : scene::bernstein_indices(order))  // one of three, or the three of order 4
+    if (i[0] > 0 && i[1] > 0 && i[2] > 0)
+      points.push_back(
+          {static_cast<double>(i[0]) / order, static_cast<double>(i[1]) / order, static_cast<double>(i[2]) / order});
+  return points;
+}
+
+/// VTK's numbers for triangles: linear, quadratic, Lagrange's of the order that its points tell.
+int cell_type(int order) { return order == 1 ? 5 : order == 2 ? 22 : 69; }
+
+}  // namespace
+
 std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                          const scene::Stress<2>& stress, const bounds::Indicator& indicator) {
   const scene::Mesh<2>& mesh = problem.mesh;
-  Grid grid{.cell_type = 5, .points_per_cell = 3, .points = {}, .point_data = {}, .cell_data = {}};
+  const auto lattice = points_of(displacement.degree);
+  Grid grid{.cell_type = cell_type(displacement.degree),
+            .points_per_cell = static_cast<int>(lattice.size()),
+            .points = {},
+            .point_data = {},
+            .cell_data = {}};
   std::vector<float> displacements, of_displacement, equilibrated, share, density;
   std::vector<std::int32_t> body;
-  grid.points.reserve(27 * mesh.cells.size());
-  for (auto* each : {&displacements, &of_displacement, &equilibrated}) each->reserve(27 * mesh.cells.size());
+  grid.points.reserve(9 * lattice.size() * mesh.cells.size());
+  for (auto* each : {&displacements, &of_displacement, &equilibrated})
+    each->reserve(9 * lattice.size() * mesh.cells.size());
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    // The vertices and, last, the centroid, where linear fields have the mean of the vertices.
-    const auto of_vertices = bounds::displacement_stress(problem, displacement, cell);
-    std::array<scene::Vector<2>, 4> point, moved;
-    std::array<scene::Voigt<2>, 4> sigma;
-    for (int k = 0; k < 3; ++k) {
-      point[k] = mesh.vertices[mesh.cells[cell][k]];
-      moved[k] = displacement.vertex[mesh.cells[cell][k]];
-      sigma[k] = of_vertices[k];
-    }
-    point[3] = (point[0] + point[1] + point[2]) / 3;
-    sigma[3] = (sigma[0] + sigma[1] + sigma[2]) / 3;
-    moved[3] = at_centroid(mesh, displacement, cell);
+    const auto sigma = bounds::displacement_stress(problem, displacement, cell);
+    const auto x = scene::positions(mesh, mesh.cells[cell]);
     for (int part = 0; part < 3; ++part) {
-      const std::array<int, 3> corners = {(part + 1) % 3, (part + 2) % 3, 3};
-      for (int i = 0; i < 3; ++i) {
-        const int corner = corners[i];
-        append(grid.points, point[corner]);
-        append(displacements, {moved[corner].x(), moved[corner].y(), 0.0});
-        append(of_displacement, sigma[corner]);
-        append(equilibrated, stress.cell[cell][3 * part + i]);
+      const auto own = scene::stress_of_part(stress, cell, part);
+      const std::vector<scene::Voigt<2>> lambda(own.begin(), own.end());
+      for (const auto& of_part : lattice) {
+        std::array<double, 3> point = {of_part[2] / 3, of_part[2] / 3, of_part[2] / 3};  // of the cell
+        for (int corner = 0; corner < 2; ++corner) point[scene::Simplex<2>::facets[part][corner]] += of_part[corner];
+        const scene::Vector<2> u = at(mesh, displacement, cell, point);
+        append(grid.points, point[0] * x[0] + point[1] * x[1] + point[2] * x[2]);
+        append(displacements, {u.x(), u.y(), 0.0});
+        append(of_displacement, scene::value_on_triangle(sigma, scene::stress_degree(displacement.degree), point));
+        append(equilibrated, scene::value_on_triangle(lambda, stress.degree, of_part));
       }
       body.push_back(mesh.cell_body[cell]);
       share.push_back(static_cast<float>(indicator.cell[cell]));
@@ -160,17 +183,22 @@ std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displace
 std::string contact_vtu(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact,
                         const bounds::Indicator& indicator) {
   const scene::Mesh<2>& mesh = problem.mesh;
+  std::size_t pieces = 1;  // of a facet: as fine as the pressures need
+  for (const auto& state : contact) pieces = std::max(pieces, samples(state.pressure).size() - 1);
   Grid grid{.cell_type = 3, .points_per_cell = 2, .points = {}, .point_data = {}, .cell_data = {}};
   std::vector<float> pressure, gap, share;
   std::vector<std::int32_t> pair;
   for (std::size_t facet = 0; facet < problem.contact.size(); ++facet) {
-    for (int end = 0; end < 2; ++end) {
-      append(grid.points, mesh.vertices[mesh.boundary[problem.contact[facet].first].vertices[end]]);
-      pressure.push_back(static_cast<float>(contact[facet].pressure[end]));
-      gap.push_back(static_cast<float>(contact[facet].gap_left[end]));
-    }
-    pair.push_back(problem.contact[facet].pair);
-    share.push_back(static_cast<float>(indicator.contact[facet]));
+    const auto& [a, b] = scene::positions(mesh, mesh.boundary[problem.contact[facet].first].vertices);
+    for (std::size_t piece = 0; piece < pieces; ++piece)
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double t = static_cast<double>(piece + end) / static_cast<double>(pieces);
+        append(grid.points, (1 - t) * a + t * b);
+        pressure.push_back(static_cast<float>(scene::value_on_segment(contact[facet].pressure, t)));
+        gap.push_back(static_cast<float>(scene::value_on_segment(contact[facet].gap_left, t)));
+      }
+    pair.insert(pair.end(), pieces, problem.contact[facet].pair);
+    share.insert(share.end(), pieces, static_cast<float>(indicator.contact[facet]));
   }
   grid.point_data = {array("pressure", "Float32", pressure), array("gap", "Float32", gap)};
   grid.cell_data = {array("pair", "Int32", pair), array("indicator", "Float32", share)};

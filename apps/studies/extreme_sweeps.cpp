@@ -127,8 +127,8 @@ std::optional<double> edge_of_contact(const scene::Scene<2>& settings, const std
   }
   double edge = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < states[0].size(); ++j)
-    for (int end = 0; end < 2; ++end) {
-      const double before = states[0][j].pressure[end], after = states[1][j].pressure[end];
+    for (std::size_t k = 0; k < states[0][j].pressure.size(); ++k) {
+      const double before = states[0][j].pressure[k], after = states[1][j].pressure[k];
       if (after < before) edge = std::min(edge, step * before / (before - after));
     }
   return std::isfinite(edge) ? std::optional(edge) : std::nullopt;

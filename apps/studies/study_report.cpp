@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "apps/plots/pictures.h"
@@ -91,8 +92,10 @@ bool has_picture(const std::vector<Series>& all) {
 Picture study_picture(const std::vector<Series>& all) {
   const auto look = [](const Series& series) {
     const char* colour = series.strategy == "adaptive" ? stress_colour : displacement_colour;
-    return fmt::format("lw 2 ps 0.7 pt {} dt {} lc rgb '{}'", series.degree == 2 ? 7 : 6,
-                       series.degree == 2 ? "1" : "(6,4)", colour);
+    constexpr std::array points = {6, 7, 9, 5};  // of each degree: open and full circles, triangles, squares
+    constexpr std::array dashes = {"(6,4)", "1", "(2,3)", "(10,3,2,3)"};
+    return fmt::format("lw 2 ps 0.7 pt {} dt {} lc rgb '{}'", points.at(series.degree - 1),
+                       dashes.at(series.degree - 1), colour);
   };
   std::vector<double> times, errors;
   std::string items, data;

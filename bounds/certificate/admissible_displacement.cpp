@@ -84,7 +84,7 @@ std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
 
 PlainField plain_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                        const std::vector<VertexSupport>& supports) {
-  PlainField field{displacement.vertex, {}};
+  PlainField field{displacement.degree, displacement.vertex, {}};
   for (std::size_t v = 0; v < supports.size(); ++v) {
     const auto& [end, t, added] = supports[v].held;
     if (!supports[v].fixed) continue;
@@ -94,14 +94,12 @@ PlainField plain_field(const scene::Problem<2>& problem, const scene::Displaceme
         field.vertex[v][c] += added.factor * between_ends(added.end[0].value[c], added.end[1].value[c], t);
     }
   }
-  if (displacement.degree == 1) return field;
   const auto& mesh = problem.mesh;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const Vector<2>&a = field.vertex[mesh.edges[e][0]], &b = field.vertex[mesh.edges[e][1]];
-    field.bubble.push_back(0.5 * ((displacement.edge[e] - a) + (displacement.edge[e] - b)));
-  }
+  field.offset = scene::offsets<double, Vector<2>>(mesh, displacement, field.vertex, scene::plain_difference);
+  const int n = scene::n_inside_edge(field.degree);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support == Support::fixed) field.bubble[mesh.boundary[f].edge].setZero();
+    for (int k = 0; k < n && problem.facets[f].support == Support::fixed; ++k)
+      field.offset.edge[n * mesh.boundary[f].edge + k].setZero();
   return field;
 }
 
@@ -141,16 +139,18 @@ bool make_way(const scene::Problem<2>& problem, const std::vector<VertexSupport>
   return true;
 }
 
-/// The same for the middle: by the bubble, or, in degree 1, by the ends that can.
+/// The same between: by the offset k, or, in degree 1, by the ends that can.
 bool make_way_between(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
-                      const scene::ContactFacet& pair, double missing) {
-  if (field.bubble.empty()) {
+                      const scene::ContactFacet& pair, int k, double missing) {
+  if (field.degree == 1) {
     const bool at_first = make_way(problem, supports, field, pair, 0, missing);
     return make_way(problem, supports, field, pair, 1, missing) || at_first;
   }
   const Vector<2>& d = problem.facets[pair.first].normal;
-  Vector<2>& bubble = field.bubble[problem.mesh.boundary[pair.first].edge];
-  bubble -= step(missing / 2, bubble) * d / d.squaredNorm();
+  const auto& at = problem.mesh.boundary[pair.first];
+  Vector<2>& offset =
+      field.offset.edge[scene::place_inside_edge(problem.mesh, field.degree, at.edge, at.vertices[0], k)];
+  offset -= step(missing, offset) * d / d.squaredNorm();
   return true;
 }
 
@@ -160,18 +160,22 @@ AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::
                                  const std::vector<VertexSupport>& supports) {
   constexpr int most = 100;
   PlainField field = plain_field(problem, displacement, supports);
+  const int last = std::max(2, field.degree);
+  std::vector<int> order = {0, last};  // both ends, then between
+  for (int k = 1; k < last; ++k) order.push_back(k);
   for (int sweep = 0; sweep < most; ++sweep) {
     bool settled = true;
     for (const auto& pair : problem.contact)
-      for (const int k : {0, 2, 1}) {  // both ends, then the middle
+      for (const int k : order) {
         const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
         if (!std::isfinite(missing)) return {{}, "the displacements are too large for their energies to be enclosed"};
         if (missing == 0) continue;
         settled = false;
-        if (k == 1 ? make_way_between(problem, supports, field, pair, missing)
-                   : make_way(problem, supports, field, pair, k / 2, missing))
+        const bool at_end = k == 0 || k == last;
+        if (at_end ? make_way(problem, supports, field, pair, k / last, missing)
+                   : make_way_between(problem, supports, field, pair, k, missing))
           continue;
-        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k / 2]];
+        const Vector<2>& at = problem.mesh.vertices[problem.mesh.boundary[pair.first].vertices[k / last]];
         return {{},
                 fmt::format("the displacements prescribed at ({:.6g}, {:.6g}) close the gap by up to {:.3g}", at[0],
                             at[1], missing)};

@@ -6,7 +6,7 @@
 
 #include "bounds/certificate/elastic_form.h"
 #include "bounds/certificate/geometry.h"
-#include "scene/fields.h"
+#include "scene/offsets.h"
 
 /// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
 namespace bracket::bounds {
@@ -85,11 +85,13 @@ template <class Number> std::array<Vector2<Number>, 2> held_at(const scene::Prob
   return u;
 }
 
-/// Displacements as plain numbers: u = Σ vertex φ_v + Σ bubble 4 φ_a φ_b over the edges ab. The field they stand for is
-/// moved onto the supports exactly by shift(), and bubbles on Γ_0 by onto(), which are of the size of rounding.
+/// Displacements as plain numbers: a linear field and what is added to its Bernstein coefficients (scene/offsets.h).
+/// The field they stand for is moved onto the supports exactly by shift(), and offsets on Γ_0 by onto(), which are of
+/// the size of rounding.
 struct PlainField {
-  std::vector<scene::Vector<2>> vertex;
-  std::vector<scene::Vector<2>> bubble;  ///< of each edge; empty for degree 1
+  int degree = 1;
+  std::vector<scene::Vector<2>> vertex = {};
+  scene::Offsets<scene::Vector<2>> offset = {};
 };
 
 /// The vector along `normal` that moves u onto u·normal = value.
@@ -145,34 +147,47 @@ Number approach(const std::vector<VertexSupport>& supports, const PlainField& fi
   return dot(between<Number>(field.vertex[second], field.vertex[first]) + moved, vector2<Number>(d));
 }
 
-/// r of one contact facet, as Bernstein coefficients: at its vertex 0, in the middle and at its vertex 1.
+/// The plain offset k of a boundary facet, seen along it.
+inline const scene::Vector<2>& offset_on(const scene::Mesh<2>& mesh, const PlainField& field, int facet, int k) {
+  const auto& at = mesh.boundary[facet];
+  return field.offset.edge[scene::place_inside_edge(mesh, field.degree, at.edge, at.vertices[0], k)];
+}
+
+/// r of one contact facet, as Bernstein coefficients of degree 2 or more from its vertex 0 to its vertex 1.
 template <class Number>
-std::array<Number, 3> approach_on(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                                  const PlainField& field, const scene::ContactFacet& pair) {
+std::vector<Number> approach_on(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                                const PlainField& field, const scene::ContactFacet& pair) {
   const auto& mesh = problem.mesh;
   const auto& first = mesh.boundary[pair.first];
   const scene::Vector<2>& d = problem.facets[pair.first].normal;
-  std::array<Number, 3> r;
+  std::array<Number, 2> end;
   for (int i = 0; i < 2; ++i) {
     const int across = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
-    r[2 * i] = approach<Number>(supports, field, first.vertices[i], across, d);
+    end[i] = approach<Number>(supports, field, first.vertices[i], across, d);
   }
-  Number bubble(0);
-  if (!field.bubble.empty()) {
-    bubble += dot(vector2<Number>(field.bubble[first.edge]), vector2<Number>(d));
+  std::vector<Number> r;
+  for (int k = 0; k <= field.degree; ++k) {
+    r.push_back(scene::linear_coefficient<Number>(end[0], end[1], field.degree, k));
+    if (k == 0 || k == field.degree) continue;
+    r[k] += dot(vector2<Number>(offset_on(mesh, field, pair.first, k)), vector2<Number>(d));
     if (pair.second >= 0)
-      bubble -= dot(vector2<Number>(field.bubble[mesh.boundary[pair.second].edge]), vector2<Number>(d));
+      r[k] -= dot(vector2<Number>(offset_on(mesh, field, pair.second, field.degree - k)), vector2<Number>(d));
   }
-  r[1] = (r[0] + r[2]) / Number(2) + Number(2) * bubble;
-  return r;
+  return scene::raised_to<Number>(2, std::move(r));
+}
+
+/// A gap on a contact facet, as coefficients of such a degree. \param bound lower or upper
+template <class Number> std::vector<Number> gap_on(const std::array<double, 3>& bound, int degree) {
+  return scene::raised_to<Number>(degree, std::vector<Number>{Number(bound[0]), Number(bound[1]), Number(bound[2])});
 }
 
 /// r − g of one contact facet, g the lower gap, likewise. In K all are ≤ 0.
 template <class Number>
-std::array<Number, 3> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                                  const PlainField& field, const scene::ContactFacet& pair) {
-  std::array<Number, 3> r = approach_on<Number>(problem, supports, field, pair);
-  for (int i = 0; i < 3; ++i) r[i] -= Number(pair.lower[i]);
+std::vector<Number> penetration(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
+                                const PlainField& field, const scene::ContactFacet& pair) {
+  std::vector<Number> r = approach_on<Number>(problem, supports, field, pair);
+  const std::vector<Number> gap = gap_on<Number>(pair.lower, field.degree);
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] -= gap[k];
   return r;
 }
 
@@ -193,48 +208,6 @@ template <class Number> struct FieldEnergy {
   Number strain;  ///< ½ A(v,v)
   Number total;   ///< L(v)
 };
-
-/// The strain at the corners of a cell: xx, yy and twice xy.
-/// \param shifts of all vertices, as shift() gives them: they are added to the plain displacements
-/// \param bubbles of all edges, moved onto the supports; empty for degree 1
-template <class Number>
-std::array<std::array<Number, 3>, 3> cell_strain(const scene::Problem<2>& problem, const PlainField& field,
-                                                 const std::vector<Vector2<Number>>& shifts,
-                                                 const std::vector<Vector2<Number>>& bubbles, int cell) {
-  const auto& mesh = problem.mesh;
-  const auto& v = mesh.cells[cell];
-  const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
-  const Number doubled = doubled_area(x);
-  std::array<Vector2<Number>, 3> gradient;  // of φ
-  for (int k = 0; k < 3; ++k) {
-    const Vector2<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
-    gradient[k] = (Number(1) / doubled) * turned(opposite);
-  }
-  std::array<std::array<Number, 3>, 3> strain;
-  for (int m = 0; m < 3; ++m) {
-    Number xx(0), yy(0), xy(0);
-    for (int j = 0; j < 3; ++j) {
-      if (j == m) continue;
-      Vector2<Number> slope = between<Number>(field.vertex[v[m]], field.vertex[v[j]]) + (shifts[v[j]] - shifts[v[m]]);
-      if (!bubbles.empty())
-        slope = slope + Number(4) * bubbles[mesh.cell_edges[cell][scene::Simplex<2>::edge_between(m, j)]];
-      xx += slope.x * gradient[j].x;
-      yy += slope.y * gradient[j].y;
-      xy += slope.x * gradient[j].y + slope.y * gradient[j].x;
-    }
-    strain[m] = {xx, yy, xy};
-  }
-  return strain;
-}
-
-/// The strain energy of one cell. \param shifts, bubbles as for cell_strain()
-template <class Number>
-Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
-                          const std::vector<Vector2<Number>>& shifts, const std::vector<Vector2<Number>>& bubbles,
-                          int cell) {
-  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); },
-                  cell_strain(problem, field, shifts, bubbles, cell), doubled_area(corners<Number>(problem, cell)));
-}
 
 /// A correction of the first mesh's loads, by its true amount.
 template <class Number> struct Corrected {
@@ -271,10 +244,10 @@ bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<
          std::any_of(corrections.begin(), corrections.end(), [&](const auto& one) { return one.facet == of; });
 }
 
-/// The field that a plain one stands for: what is added to it.
+/// The field that a plain one stands for.
 template <class Number> struct MovedField {
-  std::vector<Vector2<Number>> shifts;   ///< of all vertices, to the plain displacements
-  std::vector<Vector2<Number>> bubbles;  ///< of all edges, moved onto the supports; empty for degree 1
+  std::vector<Vector2<Number>> shifts;      ///< of all vertices, to be added to the plain displacements
+  scene::Offsets<Vector2<Number>> offsets;  ///< moved onto the supports
 };
 template <class Number>
 MovedField<Number> moved(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
@@ -282,25 +255,77 @@ MovedField<Number> moved(const scene::Problem<2>& problem, const std::vector<Ver
   MovedField<Number> result;
   for (std::size_t v = 0; v < field.vertex.size(); ++v)
     result.shifts.push_back(shift<Number>(supports[v], field.vertex[v]));
-  for (const auto& w : field.bubble) result.bubbles.push_back(vector2<Number>(w));
-  for (std::size_t f = 0; f < problem.facets.size() && !result.bubbles.empty(); ++f)
-    if (Vector2<Number>& w = result.bubbles[problem.mesh.boundary[f].edge];
-        problem.facets[f].support == scene::Support::sliding)
+  for (const auto& w : field.offset.edge) result.offsets.edge.push_back(vector2<Number>(w));
+  for (const auto& w : field.offset.cell) result.offsets.cell.push_back(vector2<Number>(w));
+  const int n = scene::n_inside_edge(field.degree);
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support != scene::Support::sliding) continue;
+    for (int k = 0; k < n; ++k) {
+      Vector2<Number>& w = result.offsets.edge[n * problem.mesh.boundary[f].edge + k];
       w = w + onto(w, problem.facets[f].normal, Number(0));
+    }
+  }
   return result;
+}
+
+/// The strain on a cell (xx, yy and twice xy), by Bernstein coefficients of one degree less.
+template <class Number>
+std::vector<std::array<Number, 3>> cell_strain(const scene::Problem<2>& problem, const PlainField& field,
+                                               const MovedField<Number>& moved, int cell) {
+  const auto& mesh = problem.mesh;
+  const auto& v = mesh.cells[cell];
+  const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
+  const Number doubled = doubled_area(x);
+  std::array<Vector2<Number>, 3> gradient;  // of φ
+  for (int k = 0; k < 3; ++k) {
+    const Vector2<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
+    gradient[k] = (Number(1) / doubled) * turned(opposite);
+  }
+  std::array<Number, 3> linear = {Number(0), Number(0), Number(0)};
+  const auto add = [&](std::array<Number, 3>& strain, const Vector2<Number>& slope, int k) {
+    strain[0] += slope.x * gradient[k].x;
+    strain[1] += slope.y * gradient[k].y;
+    strain[2] += slope.x * gradient[k].y + slope.y * gradient[k].x;
+  };
+  for (int j = 1; j < 3; ++j)
+    add(linear, between<Number>(field.vertex[v[0]], field.vertex[v[j]]) + (moved.shifts[v[j]] - moved.shifts[v[0]]), j);
+  if (field.degree == 1) return {linear};
+  const auto offset = scene::on_cell(mesh, field.degree, moved.offsets.edge, moved.offsets.cell, cell);
+  const Number factor(field.degree);
+  std::vector<std::array<Number, 3>> strain;
+  for (const auto& i : scene::bernstein_indices(field.degree - 1)) {
+    strain.push_back(linear);
+    for (int k = 0; k < 3; ++k) {
+      if (i[k] == field.degree - 1) continue;  // that of a vertex is zero
+      std::array<int, 3> above = i;
+      ++above[k];
+      add(strain.back(), factor * offset[scene::bernstein_place(above)], k);
+    }
+  }
+  return strain;
+}
+
+/// The strain energy of one cell.
+template <class Number>
+Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
+                          const MovedField<Number>& moved, int cell) {
+  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); },
+                  cell_strain(problem, field, moved, cell), doubled_area(corners<Number>(problem, cell)));
 }
 
 /// ∫ F·u over a cell.
 template <class Number>
 Number cell_work(const scene::Problem<2>& problem, const PlainField& field, const MovedField<Number>& moved,
                  const Vector2<Number>& force, int cell) {
-  Vector2<Number> u;  // three times its mean
-  for (int k = 0; k < 3; ++k) {
-    const int v = problem.mesh.cells[cell][k];
-    u = u + vector2<Number>(field.vertex[v]) + moved.shifts[v];
-    if (!moved.bubbles.empty()) u = u + moved.bubbles[problem.mesh.cell_edges[cell][k]];
-  }
-  return doubled_area(corners<Number>(problem, cell)) / Number(6) * dot(force, u);
+  const auto& mesh = problem.mesh;
+  Vector2<Number> linear, beside;  // three times its mean, and n times that of what is beside
+  for (const int v : mesh.cells[cell]) linear = linear + vector2<Number>(field.vertex[v]) + moved.shifts[v];
+  if (field.degree > 1)
+    for (const auto& w : scene::on_cell(mesh, field.degree, moved.offsets.edge, moved.offsets.cell, cell))
+      beside = beside + w;
+  const Vector2<Number> mean =
+      (Number(1) / Number(3)) * linear + (Number(1) / Number(scene::n_bernstein(field.degree))) * beside;
+  return doubled_area(corners<Number>(problem, cell)) / Number(2) * dot(force, mean);
 }
 
 /// ∫ T·u dτ over a facet of Γ_τ or Γ_K, T linear.
@@ -312,15 +337,14 @@ Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const Mov
     const int v = mesh.boundary[facet].vertices[i];
     u[i] = vector2<Number>(field.vertex[v]) + moved.shifts[v];
   }
-  const Number linear = linear_product(load, u);
-  if (field.bubble.empty()) return linear;
-  return linear + dot(load[0] + load[1], vector2<Number>(field.bubble[mesh.boundary[facet].edge])) / Number(3);
-}
-
-/// ∫ f r dτ over a contact facet. \param f linear, at the vertices   \param r Bernstein coefficients
-template <class Number> Number integral_of_product(const std::array<Number, 2>& f, const std::array<Number, 3>& r) {
-  const Number two(2), three(3);
-  return (f[0] * (three * r[0] + two * r[1] + r[2]) + f[1] * (r[0] + two * r[1] + three * r[2])) / Number(12);
+  Number work = linear_product(load, u);
+  for (int k = 1; k < field.degree; ++k) {
+    Vector2<Number> moment;
+    for (int i = 0; i < 2; ++i)
+      moment = moment + scene::number<Number>(scene::bernstein_mass(field.degree, k, 1, i)) * load[i];
+    work += dot(moment, vector2<Number>(offset_on(mesh, field, facet, k)));
+  }
+  return work;
 }
 
 /// L of the field that `field` stands for [HH81 §1].
@@ -334,7 +358,7 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
   Sum strain, work;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c), body = mesh.cell_body[c];
-    strain.add(cell_strain_energy(problem, forms[body], field, all.shifts, all.bubbles, cell));
+    strain.add(cell_strain_energy(problem, forms[body], field, all, cell));
     if (has_force(problem, body)) work.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -345,8 +369,9 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
   for (const auto& pair : problem.contact) {
     if (!problem.perturbed.by) break;
     const Number factor(problem.perturbed.loads);
-    work.add(factor * integral_of_product(opening_load<Number>(problem, pair),
-                                          approach_on<Number>(problem, supports, field, pair)));
+    const auto [at0, at1] = opening_load<Number>(problem, pair);
+    work.add(factor * scene::bernstein_product(std::vector<Number>{at0, at1},
+                                               approach_on<Number>(problem, supports, field, pair)));
   }
   const Number half_a = strain.value();
   return {half_a, half_a - work.value()};

@@ -35,32 +35,132 @@ void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
 
 }  // namespace
 
-PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
-  const auto& mesh = problem.mesh;
-  PlainLoads loads;
-  loads.edge.assign(mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
+namespace {
+
+/// λn of every edge, the mean of both sides: Bernstein coefficients from its lower vertex to its higher.
+std::vector<std::vector<Vector<2>>> tractions(const scene::Mesh<2>& mesh, const scene::Stress<2>& stress) {
+  const int degree = stress.degree;
+  std::vector<std::vector<Vector<2>>> edges(mesh.edges.size(),
+                                            std::vector<Vector<2>>(degree + 1, Vector<2>(Vector<2>::Zero())));
   std::vector<char> sides(mesh.edges.size(), 0);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k < 3; ++k) {
       const int edge = mesh.cell_edges[c][k];
       const auto ends = scene::facet_vertices(mesh, static_cast<int>(c), k);
       const Vector<2> normal = scene::area_vector<2>(scene::positions(mesh, ends));
-      const auto corners = scene::stress_of_part(stress, static_cast<int>(c), k);
-      const Vector<2> begin = scene::traction<2>(corners[0], normal), end = scene::traction<2>(corners[1], normal);
       const bool along = mesh.edges[edge][0] == ends[0];
-      loads.edge[edge][0] += along ? begin : Vector<2>(-end);
-      loads.edge[edge][1] += along ? end : Vector<2>(-begin);
+      const auto own = scene::stress_of_part(stress, static_cast<int>(c), k);
+      for (int i = 0; i <= degree; ++i) {
+        const Vector<2> traction = scene::traction<2>(own[i], normal);
+        edges[edge][along ? i : degree - i] += along ? traction : Vector<2>(-traction);
+      }
       ++sides[edge];
     }
   for (std::size_t e = 0; e < sides.size(); ++e)
-    for (Vector<2>& load : loads.edge[e]) load /= sides[e];
+    for (Vector<2>& load : edges[e]) load /= sides[e];
+  return edges;
+}
 
-  loads.along_normal.assign(problem.facets.size(), {0, 0});
+/// By the pseudo-inverse of all fields of the reference block: the amplitudes of the bubbles, a row each.
+Eigen::MatrixXd bubble_amplitudes(int degree) {
+  const scene::BlockFields& fields = scene::block_fields(degree);
+  const std::array<Vector2<double>, 3> x = {{{0, 0}, {1, 0}, {0, 1}}};
+  const auto n = 3 * static_cast<Eigen::Index>(scene::n_bernstein(degree));
+  Eigen::MatrixXd all(3 * n, 0);
+  const auto append = [&](const auto& value) {
+    all.conservativeResize(Eigen::NoChange, all.cols() + 1);
+    for (Eigen::Index i = 0; i < 3 * n; ++i) all(i, all.cols() - 1) = value(i);
+  };
+  for (const auto& bubble : fields.bubbles) append([&](Eigen::Index i) { return bubble[i]; });
+  for (const auto& sides : fields.load)
+    for (const auto& side : sides)
+      for (const auto& field : side) append([&](Eigen::Index i) { return field[i]; });
+  Eigen::MatrixXd resultants = Eigen::MatrixXd::Zero(3, 12);  // of the loads at the ends
+  const auto load = [](Eigen::Index i) {
+    std::array<SideLoad<double>, 3> sides;
+    auto& value = sides[i / 4][i % 4 / 2];
+    (i % 2 == 0 ? value.x : value.y) = 1;
+    return sides;
+  };
+  for (Eigen::Index i = 0; i < 12; ++i)
+    for (int side = 0; side < 3; ++side) {
+      const auto [force, moment] = resultant(load(i)[side], x[side], x[(side + 1) % 3] - x[side]);
+      resultants.col(i) += Eigen::Vector3d(force.x, force.y, moment);
+    }
+  const Eigen::MatrixXd balanced = Eigen::FullPivLU<Eigen::MatrixXd>(resultants).kernel();
+  for (Eigen::Index m = 0; m < balanced.cols(); ++m) {
+    std::array<SideLoad<double>, 3> sides;
+    for (Eigen::Index i = 0; i < 12; ++i) {
+      auto& value = sides[i / 4][i % 4 / 2];
+      (i % 2 == 0 ? value.x : value.y) = balanced(i, m);
+    }
+    const BlockStress<double> linear = stress_of_balanced(x, sides);
+    std::vector<double> values;
+    for (int part = 0; part < 3; ++part)
+      for (const auto& value : raised_stress(linear[(part + 1) % 3], degree))
+        values.insert(values.end(), value.begin(), value.end());
+    append([&](Eigen::Index i) { return values[i]; });
+  }
+  return all.completeOrthogonalDecomposition().pseudoInverse().topRows(fields.bubbles.size());
+}
+
+/// The amplitudes of the bubbles in each cell: those of the stress without the linear field that carries the body
+/// force.
+std::vector<std::vector<double>> bubbles(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
+  static const std::array<Eigen::MatrixXd, 2> amplitudes = {bubble_amplitudes(2), bubble_amplitudes(3)};
+  const auto& mesh = problem.mesh;
+  std::vector<std::vector<double>> result;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const auto x = scene::positions(mesh, mesh.cells[c]);
+    Eigen::Matrix2d b;
+    b << x[1] - x[0], x[2] - x[0];
+    const Eigen::Matrix2d inverse = b.inverse();
+    const Vector<2>& force = problem.bodies[mesh.cell_body[c]].force;
+    const Vector<2> centroid = (x[1] - x[0] + x[2] - x[0]) / 3;
+    Eigen::VectorXd pulled_back(3 * stress.cell[c].size());
+    for (int part = 0, place = 0; part < 3; ++part) {
+      const auto own = scene::stress_of_part(stress, static_cast<int>(c), part);
+      const auto& [from, to] = scene::Simplex<2>::edges[part];
+      const auto indices = scene::bernstein_indices(stress.degree);
+      for (std::size_t i = 0; i < own.size(); ++i, place += 3) {
+        const Vector<2> at =
+            (indices[i][0] * (x[from] - x[0]) + indices[i][1] * (x[to] - x[0]) + indices[i][2] * centroid) /
+                stress.degree -
+            centroid;
+        Eigen::Matrix2d value;
+        value << own[i][0] + force[0] * at[0], own[i][2], own[i][2], own[i][1] + force[1] * at[1];
+        const Eigen::Matrix2d reference = b.determinant() * inverse * value * inverse.transpose();
+        pulled_back.segment<3>(place) << reference(0, 0), reference(1, 1), reference(0, 1);
+      }
+    }
+    const Eigen::VectorXd own = amplitudes.at(stress.degree - 2) * pulled_back;
+    result.emplace_back(own.begin(), own.end());
+  }
+  return result;
+}
+
+}  // namespace
+
+PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
+  const auto& mesh = problem.mesh;
+  const int degree = stress.degree;
+  PlainLoads loads{.degree = degree};
+  const auto edges = tractions(mesh, stress);
+  for (const auto& edge : edges) {
+    const auto [linear, higher] = split<double>(edge);
+    loads.edge.push_back(linear);
+    loads.higher.insert(loads.higher.end(), higher.begin(), higher.end());
+  }
+  if (degree > 1) loads.bubbles = bubbles(problem, stress);
+
+  loads.along_normal.assign(problem.facets.size(), std::vector<double>(degree + 1, 0));
   const auto on_facet = [&](int facet) {
-    const auto& edge = loads.edge[mesh.boundary[facet].edge];
-    const Vector<2>& n = problem.facets[facet].normal;
-    return forward(mesh.boundary[facet]) ? std::array{edge[0].dot(n), edge[1].dot(n)}
-                                         : std::array{-edge[1].dot(n), -edge[0].dot(n)};
+    const auto& edge = edges[mesh.boundary[facet].edge];
+    const bool along = forward(mesh.boundary[facet]);
+    std::vector<double> result;
+    for (int k = 0; k <= degree; ++k)
+      result.push_back((along ? edge[k] : Vector<2>(-edge[degree - k])).dot(problem.facets[facet].normal));
+    return result;
   };
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support == Support::sliding) loads.along_normal[f] = on_facet(static_cast<int>(f));
@@ -69,22 +169,29 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>&
     pressure = on_facet(pair.first);
     if (pair.second >= 0) {
       const auto across = on_facet(pair.second);
-      for (int i = 0; i < 2; ++i) pressure[i] = (pressure[i] + across[1 - i]) / 2;
+      for (int k = 0; k <= degree; ++k) pressure[k] = (pressure[k] + across[degree - k]) / 2;
     }
-    const auto opening = opening_load<double>(problem, pair);
-    for (int i = 0; i < 2; ++i) pressure[i] = std::max(0.0, problem.perturbed.loads * opening[i] - pressure[i]);
+    const auto [at0, at1] = opening_load<double>(problem, pair);
+    for (int k = 0; k <= degree; ++k) {
+      const double opening = problem.perturbed.loads * scene::linear_coefficient<double>(at0, at1, degree, k);
+      pressure[k] = std::max(0.0, opening - pressure[k]);
+    }
   }
   drop_noise(problem, loads);
-  for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support != Support::fixed)
-      loads.edge[mesh.boundary[f].edge] = {Vector<2>::Zero(), Vector<2>::Zero()};
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support == Support::fixed) continue;
+    const int edge = mesh.boundary[f].edge;
+    loads.edge[edge] = {Vector<2>::Zero(), Vector<2>::Zero()};
+    for (int k = 2; k <= degree; ++k) loads.higher[(degree - 1) * edge + k - 2].setZero();
+  }
   return loads;
 }
 
-PlainLoads no_loads(const scene::Problem<2>& problem) {
+PlainLoads no_loads(const scene::Problem<2>& problem, double pressure) {
   PlainLoads none;
   none.edge.assign(problem.mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
   none.along_normal.assign(problem.facets.size(), {0, 0});
+  for (const auto& pair : problem.contact) none.along_normal[pair.first] = {pressure, pressure};
   return none;
 }
 

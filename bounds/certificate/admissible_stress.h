@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <future>
 
 #include "bounds/certificate/admissible_displacement.h"
@@ -15,21 +16,48 @@ namespace bracket::bounds {
 /// second b, on the cell that lies to the left of ab; on the other cell they are opposite. So tractions are continuous.
 /// On Γ_τ, where the data say what they are, they are left out.
 struct PlainLoads {
-  std::vector<std::array<scene::Vector<2>, 2>> edge;  ///< at a and b; zero on Γ_τ, Γ_0 and Γ_K
-  std::vector<std::array<double, 2>> along_normal;  ///< of each facet at its vertices 0 and 1: Γ_0: along the outward
-                                                    ///< normal; Γ_K, first sides only: the pressure, ≥ 0
+  int degree = 1;                                          ///< of the stresses, 1 to 3
+  std::vector<std::array<scene::Vector<2>, 2>> edge = {};  ///< at a and b; zero on Γ_τ, Γ_0 and Γ_K
+  /// What is not linear: degree − 1 coefficients of Legendre's polynomials each, from a to b; zero there, too.
+  std::vector<scene::Vector<2>> higher = {};
+  /// Of each facet, degree + 1 Bernstein coefficients from its vertex 0 to its vertex 1: Γ_0: along the outward normal;
+  /// Γ_K, first sides only: the pressure, ≥ 0.
+  std::vector<std::vector<double>> along_normal = {};
+  std::vector<std::vector<double>> bubbles = {};  ///< of each cell, of scene::block_fields(); degree 1: none
 };
 PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
-/// The loads of the data alone.
-PlainLoads no_loads(const scene::Problem<2>& problem);
+/// The loads of the data alone. \param pressure on all of Γ_K
+PlainLoads no_loads(const scene::Problem<2>& problem, double pressure = 0);
 /// Which contact pairs press anywhere.
 std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLoads& loads);
 
 /// The same loads with `Number`, those of the data included.
 template <class Number> struct EdgeLoads {
-  std::vector<SideLoad<Number>> edge;
-  std::vector<std::array<Number, 2>> along_normal;
+  int degree = 1;
+  std::vector<SideLoad<Number>> edge = {};
+  std::vector<Vector2<Number>> higher = {};
+  std::vector<std::vector<Number>> along_normal = {};
+  std::vector<std::vector<double>> bubbles = {};
 };
+
+/// A load on a facet, by Bernstein coefficients along it, as what is linear of it and the coefficients of Legendre's
+/// polynomials beside that.
+template <class Value> struct SplitLoad {
+  std::array<Value, 2> linear;
+  std::vector<Value> higher;
+};
+template <class Number, class Value> SplitLoad<Value> split(const std::vector<Value>& c) {
+  const auto times = [](int part, int whole, const Value& v) { return scene::share<Number, Value>(v, part, whole); };
+  if (c.size() == 2) return {{c[0], c[1]}, {}};
+  if (c.size() == 3) {  // P_2 = 6 t² − 6 t + 1 is 1 at both ends
+    const Value second = times(1, 6, Value(c[0] - c[1] - c[1] + c[2]));
+    return {{Value(c[0] - second), Value(c[2] - second)}, {second}};
+  }
+  const Value bend = Value(c[1] - c[2] + c[1] - c[2] + c[1] - c[2]);  // P_3 = 20 t³ − 30 t² + 12 t − 1
+  const Value third = times(1, 20, Value(c[3] - c[0] + bend));
+  const Value second = Value(times(1, 2, Value(c[0] - c[1] - c[1] + c[2])) + times(5, 1, third));
+  return {{Value(c[0] - second + third), Value(c[3] - second - third)}, {second, third}};
+}
 
 /// Whether a facet runs as its edge does, from the lower vertex to the higher.
 inline bool forward(const scene::Mesh<2>::Facet& facet) { return facet.vertices[0] < facet.vertices[1]; }
@@ -39,6 +67,11 @@ template <class Number> SideLoad<Number> oriented(const SideLoad<Number>& load, 
   return forward ? load : SideLoad<Number>{-load[1], -load[0]};
 }
 
+/// The same for the coefficients of Legendre's polynomials of degree 2, 3: the even ones do not change with the sense.
+template <class Number> Vector2<Number> oriented_higher(const Vector2<Number>& coefficient, int k, bool forward) {
+  return forward || k % 2 == 1 ? coefficient : -coefficient;
+}
+
 template <class Number>
 void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const SideLoad<Number>& load) {
   loads.edge[mesh.boundary[facet].edge] = oriented(load, forward(mesh.boundary[facet]));
@@ -46,21 +79,27 @@ void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int
 
 /// Writes the loads of Γ_0 and Γ_K into the edges.
 template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
-  const auto along = [&](int facet, const Number& at0, const Number& at1) {
+  const auto along = [&](int facet, const std::vector<Number>& coefficients) {
+    const auto& at = problem.mesh.boundary[facet];
     const Vector2<Number> n = vector2<Number>(problem.facets[facet].normal);
-    set_boundary_load(loads, problem.mesh, facet, {at0 * n, at1 * n});
+    const auto [linear, higher] = split<Number>(coefficients);
+    set_boundary_load(loads, problem.mesh, facet, {linear[0] * n, linear[1] * n});
+    for (int k = 2; k <= loads.degree; ++k)
+      loads.higher[(loads.degree - 1) * at.edge + k - 2] = oriented_higher(higher[k - 2] * n, k, forward(at));
   };
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support == scene::Support::sliding)
-      along(static_cast<int>(f), loads.along_normal[f][0], loads.along_normal[f][1]);
+    if (problem.facets[f].support == scene::Support::sliding) along(static_cast<int>(f), loads.along_normal[f]);
   for (const auto& pair : problem.contact) {
-    auto p = loads.along_normal[pair.first];
-    if (problem.perturbed.by) {
-      const auto opening = opening_load<Number>(problem, pair);
-      for (int i = 0; i < 2; ++i) p[i] -= Number(problem.perturbed.loads) * opening[i];
+    std::vector<Number> load = loads.along_normal[pair.first];
+    const auto [at0, at1] = opening_load<Number>(problem, pair);
+    for (int k = 0; k <= loads.degree; ++k) {
+      load[k] = -load[k];
+      if (problem.perturbed.by)
+        load[k] += Number(problem.perturbed.loads) * scene::linear_coefficient<Number>(at0, at1, loads.degree, k);
     }
-    along(pair.first, -p[0], -p[1]);
-    if (pair.second >= 0) along(pair.second, -p[1], -p[0]);  // its normal is the opposite
+    along(pair.first, load);
+    std::reverse(load.begin(), load.end());
+    if (pair.second >= 0) along(pair.second, load);  // its normal is the opposite
   }
 }
 
@@ -68,9 +107,11 @@ template <class Number> void spread_normal_loads(const scene::Problem<2>& proble
 template <class Number>
 EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& given,
                            const std::vector<Corrected<Number>>& corrections) {
-  EdgeLoads<Number> loads;
+  EdgeLoads<Number> loads{.degree = given.degree, .bubbles = given.bubbles};
   for (const auto& [a, b] : given.edge) loads.edge.push_back({vector2<Number>(a), vector2<Number>(b)});
-  for (const auto& [a, b] : given.along_normal) loads.along_normal.push_back({Number(a), Number(b)});
+  for (const auto& coefficient : given.higher) loads.higher.push_back(vector2<Number>(coefficient));
+  for (const auto& coefficients : given.along_normal)
+    loads.along_normal.emplace_back(coefficients.begin(), coefficients.end());
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
     if (carries_load(problem, corrections, facet))
@@ -87,6 +128,17 @@ template <class Number> struct LoadedCell {
   std::array<int, 3> edge;
   std::array<bool, 3> forward;
 };
+/// What the loads have beside what is linear, likewise.
+template <class Number>
+std::array<std::vector<Vector2<Number>>, 3> higher_on(const LoadedCell<Number>& cell, const EdgeLoads<Number>& loads) {
+  std::array<std::vector<Vector2<Number>>, 3> higher;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 2; k <= loads.degree; ++k) {
+      const auto& of_edge = loads.higher[(loads.degree - 1) * cell.edge[i] + k - 2];
+      higher[i].push_back(oriented_higher(of_edge, k, cell.forward[i]));
+    }
+  return higher;
+}
 template <class Number>
 LoadedCell<Number> loaded_cell(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads, int cell) {
   const auto& mesh = problem.mesh;
@@ -118,9 +170,10 @@ Wrench<Number> imbalance(const scene::Problem<2>& problem, const LoadedCell<Numb
   return sum;
 }
 
-/// The stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the centroid.
+/// What is linear of the stress of a cell in balance. A body force F is carried by −(F_x ξ, F_y η, 0), ξ, η from the
+/// centroid.
 template <class Number>
-BlockStress<Number> block_stress(const scene::Problem<2>& problem, LoadedCell<Number> block, int cell) {
+BlockStress<Number> linear_block_stress(const scene::Problem<2>& problem, LoadedCell<Number> block, int cell) {
   const int body = problem.mesh.cell_body[cell];
   std::array<std::array<Number, 2>, 3> carried;  // xx, yy at the corners
   const bool heavy = has_force(problem, body);
@@ -143,14 +196,44 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, LoadedCell<Nu
   return stress;
 }
 
+/// One component of values, one degree of a triangle's polynomial after the other up to another degree.
+template <class Number>
+std::vector<std::array<Number, 3>> raised_stress(const std::vector<std::array<Number, 3>>& linear, int degree) {
+  std::vector<std::array<Number, 3>> result(scene::n_bernstein(degree));
+  for (int c = 0; c < 3; ++c) {
+    std::vector<Number> component;
+    for (const auto& value : linear) component.push_back(value[c]);
+    for (int k = 1; k < degree; ++k) component = scene::raised_on_triangle<Number>(component, k);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i][c] = component[i];
+  }
+  return result;
+}
+
+/// The stress of a cell in balance.
+template <class Number>
+BlockStress<Number> block_stress(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads,
+                                 const LoadedCell<Number>& block, int cell) {
+  BlockStress<Number> stress = linear_block_stress(problem, block, cell);
+  if (loads.degree == 1) return stress;
+  const BlockStress<Number> higher =
+      stress_of_higher(loads.degree, block.x, higher_on(block, loads), loads.bubbles[cell]);
+  for (int i = 0; i < 3; ++i) {
+    stress[i] = raised_stress(stress[i], loads.degree);
+    for (std::size_t k = 0; k < stress[i].size(); ++k)
+      for (int c = 0; c < 3; ++c) stress[i][k][c] += higher[i][k][c];
+  }
+  return stress;
+}
+
 /// S of a cell in balance.
 template <class Number>
-Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const LoadedCell<Number>& block,
+Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const EdgeLoads<Number>& loads,
                     int cell) {
+  const LoadedCell<Number> block = loaded_cell(problem, loads, cell);
   const Number part = doubled_area(block.x) / Number(3);
   Number sum(0);
-  for (const auto& corners : block_stress(problem, block, cell))
-    sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, corners, part);
+  for (const auto& coefficients : block_stress(problem, loads, block, cell))
+    sum += integral([&](const std::array<Number, 3>& s) { return form.stress_energy(s); }, coefficients, part);
   return sum;
 }
 
@@ -161,8 +244,7 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
   const auto forms = elastic_forms<Number>(problem);
   const auto of_cells = [&](int begin, int end) {
     Sum sum;
-    for (int cell = begin; cell < end; ++cell)
-      sum.add(block_energy(problem, forms[mesh.cell_body[cell]], loaded_cell(problem, loads, cell), cell));
+    for (int cell = begin; cell < end; ++cell) sum.add(block_energy(problem, forms[mesh.cell_body[cell]], loads, cell));
     return sum.value();
   };
   const int cells = static_cast<int>(mesh.cells.size());
@@ -178,13 +260,12 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
       energy.add(-linear_product(load, held_at<Number>(problem, facet)));
     } else if (problem.facets[f].support == scene::Support::sliding) {
       const auto [begin, end] = slides_of(problem, fixed, facet);
-      const auto& [at0, at1] = loads.along_normal[f];
-      energy.add(-linear_product(at0, at1, value<Number>(begin), value<Number>(end)));
+      energy.add(-scene::bernstein_product(loads.along_normal[f],
+                                           std::vector<Number>{value<Number>(begin), value<Number>(end)}));
     }
   }
   for (const auto& pair : problem.contact)
-    energy.add(integral_of_product<Number>(loads.along_normal[pair.first],
-                                           {Number(pair.upper[0]), Number(pair.upper[1]), Number(pair.upper[2])}));
+    energy.add(scene::bernstein_product(loads.along_normal[pair.first], gap_on<Number>(pair.upper, 2)));
   return energy.value();
 }
 

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "bounds/certificate/vector2.h"
+#include "scene/bernstein.h"
+#include "scene/block_fields.h"
 
 namespace bracket::bounds {
 
-/// Loads on the side of a cell from corner i to corner i + 1, per unit of the parameter along it, at its two ends.
+/// Loads on the side of a cell from corner i to corner i + 1, per unit of the parameter along it, at its two ends: what
+/// is linear of them, which alone has a resultant. What they have beside it are Legendre's polynomials of higher
+/// degrees.
 template <class Number> using SideLoad = std::array<Vector2<Number>, 2>;
 
 template <class Number> struct Wrench {
@@ -29,12 +33,13 @@ SideLoad<Number> load_with(const Wrench<Number>& resultant, const Vector2<Number
   return {resultant.force - linear, resultant.force + linear};
 }
 
-/// The stress of a block element from its side loads, by HH81 Theorem 2.1 the only one: xx, yy, xy at the corners i,
-/// i + 1 and the centroid of each of the three triangles at the sides i.
-template <class Number> using BlockStress = std::array<std::array<std::array<Number, 3>, 3>, 3>;
+/// The stress of a block element, xx, yy, xy by Bernstein coefficients on each of the three triangles at the sides i,
+/// whose corners are i, i + 1 and the centroid.
+template <class Number> using BlockStress = std::array<std::vector<std::array<Number, 3>>, 3>;
 
-/// Self-equilibrated side loads are integrated twice around the boundary to Airy's function and its gradient
-/// (t ds = d(∂φ/∂y, −∂φ/∂x)); the block element's stresses are the second derivatives of the Hsieh–Clough–Tocher cubic
+/// The linear stress of a block element from its side loads, by HH81 Theorem 2.1 the only one: at the corners of each
+/// part. Self-equilibrated side loads are integrated twice around the boundary to Airy's function and its gradient (t
+/// ds = d(∂φ/∂y, −∂φ/∂x)); the block element's stresses are the second derivatives of the Hsieh–Clough–Tocher cubic
 /// with these boundary values: C¹, so that tractions are continuous. Its Bernstein coefficients follow by means.
 /// \param x corners, as seen from the first   \param load of the sides i → i + 1, self-equilibrated
 template <class Number>
@@ -83,9 +88,49 @@ BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
       const Number xx = uu * p.x * p.x + two * uv * p.x * q.x + vv * q.x * q.x;
       const Number yy = uu * p.y * p.y + two * uv * p.y * q.y + vv * q.y * q.y;
       const Number xy = uu * p.x * p.y + uv * (p.x * q.y + p.y * q.x) + vv * q.x * q.y;
-      stress[i][k] = {six * yy, six * xx, -six * xy};
+      stress[i].push_back({six * yy, six * xx, -six * xy});
     }
   }
+  return stress;
+}
+
+/// The stresses beside the linear ones of a block element of degree 2 or 3 (scene/block_fields.h).
+/// \param x corners, as seen from the first
+/// \param higher of the sides i → i + 1, per unit of their parameter: the coefficients of Legendre's polynomials of
+///     degree 2 (and 3)
+/// \param bubbles amplitudes of those without tractions
+template <class Number>
+BlockStress<Number> stress_of_higher(int degree, const std::array<Vector2<Number>, 3>& x,
+                                     const std::array<std::vector<Vector2<Number>>, 3>& higher,
+                                     const std::vector<double>& bubbles) {
+  const scene::BlockFields& fields = scene::block_fields(degree);
+  const Vector2<Number> u = x[1] - x[0], v = x[2] - x[0];
+  const Number determinant = cross(u, v);
+  const std::size_t n = scene::n_bernstein(degree);
+  std::vector<std::array<Number, 3>> reference(3 * n, {Number(0), Number(0), Number(0)});
+  const auto add = [&](const Number& amplitude, const scene::BlockField& field) {
+    for (std::size_t i = 0; i < 3 * n; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (field[3 * i + c] != 0) reference[i][c] += Number(field[3 * i + c]) * amplitude;
+  };
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < higher[i].size(); ++k) {
+      // By B⁻¹ = (v_y −v_x; −u_y u_x) / det B, on the side opposite to corner i + 2.
+      const Vector2<Number>& load = higher[i][k];
+      const std::array<Number, 2> pulled_back = {cross(load, v) / determinant, cross(u, load) / determinant};
+      for (int c = 0; c < 2; ++c) add(pulled_back[c] / Number(fields.load_divisor), fields.load[k][(i + 2) % 3][c]);
+    }
+  for (std::size_t m = 0; m < bubbles.size(); ++m)
+    if (bubbles[m] != 0) add(Number(bubbles[m]), fields.bubbles[m]);
+  BlockStress<Number> stress;
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t place = 0; place < n; ++place) {
+      const auto& [xx, yy, xy] = reference[n * ((i + 2) % 3) + place];
+      const Vector2<Number> first = xx * u + xy * v, second = xy * u + yy * v;  // B τ̂, column by column
+      stress[i].push_back({(first.x * u.x + second.x * v.x) / determinant,
+                           (first.y * u.y + second.y * v.y) / determinant,
+                           (first.x * u.y + second.x * v.y) / determinant});
+    }
   return stress;
 }
 

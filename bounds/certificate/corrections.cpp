@@ -21,9 +21,9 @@ double largest_load(const scene::Problem<2>& problem) {
 }
 
 PlainLoads assumed_loads(const scene::Problem<2>& first) {
-  PlainLoads assumed = no_loads(first);
+  PlainLoads assumed = no_loads(first, 1);
   for (const auto& pair : first.contact)
-    if (first.carries[pair.pair]) assumed.along_normal[pair.first] = {1, 1};
+    if (!first.carries[pair.pair]) assumed.along_normal[pair.first] = {0, 0};
   return assumed;
 }
 

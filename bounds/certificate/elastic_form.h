@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bounds/certificate/vector2.h"
+#include "scene/bernstein.h"
 
 namespace bracket::bounds {
 
@@ -60,13 +61,13 @@ template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const sce
   return forms;
 }
 
-/// ∫ of the energy over a triangle of a linear field, given at the corners.
+/// ∫ of the energy over a triangle of a polynomial, given by its Bernstein coefficients.
 /// \param energy of a field's value   \param doubled_area of the triangle
 template <class Number, std::size_t n, class Energy>
-Number integral(const Energy& energy, const std::array<std::array<Number, n>, 3>& corners, const Number& doubled_area) {
-  std::array<Number, n> sum;
-  for (std::size_t i = 0; i < n; ++i) sum[i] = corners[0][i] + corners[1][i] + corners[2][i];
-  return doubled_area / Number(24) * (energy(corners[0]) + energy(corners[1]) + energy(corners[2]) + energy(sum));
+Number integral(const Energy& energy, const std::vector<std::array<Number, n>>& coefficients,
+                const Number& doubled_area) {
+  return doubled_area / Number(2) *
+         scene::mean_of_squares<Number>(energy, std::span<const std::array<Number, n>>(coefficients));
 }
 
 }  // namespace bracket::bounds

@@ -37,13 +37,16 @@ Number perturbing_work(const scene::Problem<2>& problem, const std::vector<Verte
     add_corrections(problem, corrections, facet, load);
     work.add(facet_work<Number>(mesh, field, all, facet, load));
   }
-  for (const auto& pair : problem.contact)
+  for (const auto& pair : problem.contact) {
+    const auto [at0, at1] = opening_load<Number>(problem, pair);
     work.add(
-        integral_of_product(opening_load<Number>(problem, pair), approach_on<Number>(problem, supports, field, pair)));
+        scene::bernstein_product(std::vector<Number>{at0, at1}, approach_on<Number>(problem, supports, field, pair)));
+  }
   return work.value();
 }
 
-/// R(λ) = ∫_Γu λn·U + ∫_Γ0 (λn)_n U_n − ∫_ΓK p ψ. \param loads balanced
+/// R(λ) = ∫_Γu λn·U (to which only the linear part of λn is not orthogonal) + ∫_Γ0 (λn)_n U_n − ∫_ΓK p ψ. \param loads
+/// balanced
 template <class Number, class Sum>
 Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
@@ -58,14 +61,14 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
       sum.add(linear_product<Number>(load, {added<Number>(begin), added<Number>(end)}));
     } else if (problem.facets[f].support == scene::Support::sliding) {
       const auto [begin, end] = slides_of(problem, fixed, facet);
-      const auto& [at0, at1] = loads.along_normal[f];
-      sum.add(linear_product(at0, at1, added<Number>(begin), added<Number>(end)));
+      sum.add(scene::bernstein_product(loads.along_normal[f],
+                                       std::vector<Number>{added<Number>(begin), added<Number>(end)}));
     }
   }
   for (const auto& pair : problem.contact) {
     const scene::Piece<1> piece = scene::piece_of_facet(problem, pair.first);
     const auto psi = scene::psi<Number>(by.contact[by.contact_of[piece.of]], problem.facets[pair.first].normal, piece);
-    sum.add(-integral_of_product<Number>(loads.along_normal[pair.first], psi));
+    sum.add(-scene::bernstein_product(loads.along_normal[pair.first], std::vector<Number>(psi.begin(), psi.end())));
   }
   return sum.value();
 }
@@ -76,9 +79,10 @@ Number contact_work(const scene::Problem<2>& problem, const std::vector<VertexSu
                     const PlainField& field, const EdgeLoads<Number>& loads) {
   Sum sum;
   for (const auto& pair : problem.contact) {
-    std::array<Number, 3> left = approach_on<Number>(problem, supports, field, pair);
-    for (int i = 0; i < 3; ++i) left[i] = Number(pair.upper[i]) - left[i];
-    sum.add(integral_of_product<Number>(loads.along_normal[pair.first], left));
+    const std::vector<Number> r = approach_on<Number>(problem, supports, field, pair);
+    std::vector<Number> left = gap_on<Number>(pair.upper, field.degree);
+    for (std::size_t k = 0; k < r.size(); ++k) left[k] -= r[k];
+    sum.add(scene::bernstein_product(loads.along_normal[pair.first], left));
   }
   return sum.value();
 }

@@ -13,69 +13,89 @@ namespace bracket::bounds {
 
 namespace {
 
-using Strains = std::array<std::array<Enclosure, 3>, 3>;  // at the corners of a cell
+using Strains = std::vector<std::array<Enclosure, 3>>;  // on a cell, by Bernstein coefficients
 
-/// As it is given: nothing is added, and bubbles are not rounded.
-MovedField<Enclosure> as_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
-  MovedField<Enclosure> result;
-  result.shifts.resize(given.vertex.size());
-  for (std::size_t e = 0; e < given.edge.size(); ++e) {
-    const auto& [a, b] = first.mesh.edges[e];
-    result.bubbles.push_back((Enclosure(1) / Enclosure(2)) * (between<Enclosure>(given.vertex[a], given.edge[e]) +
-                                                              between<Enclosure>(given.vertex[b], given.edge[e])));
+int degree_of(const Strains& strains) {
+  int degree = 0;
+  while (scene::n_bernstein(degree) < static_cast<int>(strains.size())) ++degree;
+  return degree;
+}
+
+/// What is done to each component.
+template <class Do> Strains by_component(const Strains& strains, const Do& to_values) {
+  Strains result;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<Enclosure> values;
+    for (const auto& strain : strains) values.push_back(strain[c]);
+    const std::vector<Enclosure> done = to_values(values);
+    result.resize(done.size());
+    for (std::size_t i = 0; i < done.size(); ++i) result[i][c] = done[i];
   }
   return result;
 }
 
-Strains strains(const scene::Problem<2>& problem, const PlainField& field, const MovedField<Enclosure>& added,
-                int cell) {
-  return cell_strain(problem, field, added.shifts, added.bubbles, cell);
+Strains raised_to(int degree, Strains strains) {
+  for (int own = degree_of(strains); own < degree; ++own)
+    strains = by_component(strains, [&](const auto& c) { return scene::raised_on_triangle<Enclosure>(c, own); });
+  return strains;
+}
+
+/// As it is given: nothing is added, and offsets are not rounded.
+MovedField<Enclosure> as_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+  MovedField<Enclosure> result;
+  result.shifts.resize(given.vertex.size());
+  result.offsets = scene::offsets<Enclosure, Vector2<Enclosure>>(first.mesh, given, given.vertex, between<Enclosure>);
+  return result;
 }
 
 Strains difference(Strains a, const Strains& b, const Enclosure& factor) {
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < a.size(); ++k)
     for (int i = 0; i < 3; ++i) a[k][i] -= factor * b[k][i];
   return a;
 }
 
 /// Of each cell of the first mesh.
 std::vector<Strains> given_strains(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
-  const PlainField field{given.vertex, {}};
+  const PlainField field{given.degree, given.vertex, {}};
   const MovedField<Enclosure> all = as_given(first, given);
   std::vector<Strains> result;
   for (std::size_t c = 0; c < first.mesh.cells.size(); ++c)
-    result.push_back(strains(first, field, all, static_cast<int>(c)));
+    result.push_back(cell_strain(first, field, all, static_cast<int>(c)));
   return result;
 }
 
-/// The strains of a cell of the first mesh at the corners of a piece of it.
+/// The strains of a cell of the first mesh on a piece of it.
 Strains on_piece(const Strains& whole, const scene::Piece<2>& piece) {
-  Strains result;
+  std::array<std::array<Enclosure, 3>, 3> corners;
   for (int corner = 0; corner < 3; ++corner) {
     const auto& [second, third] = piece.corner[corner];
-    const std::array<Enclosure, 3> weight = {Enclosure((1 - second) - third), Enclosure(second), Enclosure(third)};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) result[corner][i] += weight[k] * whole[k][i];
+    corners[corner] = {Enclosure((1 - second) - third), Enclosure(second), Enclosure(third)};
   }
-  return result;
+  return by_component(whole, [&](const auto& c) { return scene::on_triangle(c, degree_of(whole), corners); });
 }
 
-/// ‖σ(u_x) − m‖² on a cell, from what ε(u_x) − ½ ε(u_h) and λ_h are at its corners.
+/// ‖σ(u_x) − m‖² on a cell, from what ε(u_x) − ½ ε(u_h) and λ_h are.
 Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& strain,
                            const BlockStress<Enclosure>& stress, const Enclosure& doubled_area) {
-  std::array<Enclosure, 3> centre;
-  for (int i = 0; i < 3; ++i) centre[i] = (strain[0][i] + strain[1][i] + strain[2][i]) / Enclosure(3);
+  const int degree = std::max(degree_of(strain), degree_of(stress[0]));
+  const Strains of_cell = raised_to(degree, strain);
   const Enclosure half = Enclosure(1) / Enclosure(2);
+  const auto indices = scene::bernstein_indices(degree);
   Enclosure sum;
   for (int part = 0; part < 3; ++part) {
-    const std::array<std::array<Enclosure, 3>, 3> e = {strain[part], strain[(part + 1) % 3], centre};
-    // Both are linear on the part: so is what `integral` sees of them, corner by corner and their sum.
-    std::array<std::array<Enclosure, 6>, 3> both;
-    for (int k = 0; k < 3; ++k)
+    const int replaced = (part + 2) % 3;
+    const Strains moved =
+        by_component(of_cell, [&](const auto& c) { return scene::on_centroid_part<Enclosure>(c, degree, replaced); });
+    const Strains lambda = raised_to(degree, stress[part]);
+    std::vector<std::array<Enclosure, 6>> both(indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+      std::array<int, 3> at;
+      for (int corner = 0; corner < 3; ++corner) at[(part + corner) % 3] = indices[k][corner];
       for (int i = 0; i < 3; ++i) {
-        both[k][i] = e[k][i];
-        both[k][3 + i] = half * stress[part][k][i];
+        both[k][i] = moved[scene::bernstein_place(at)][i];
+        both[k][3 + i] = half * lambda[k][i];
       }
+    }
     const auto energy = [&](const std::array<Enclosure, 6>& of) {
       return form.difference_energy({of[0], of[1], of[2]}, {of[3], of[4], of[5]});
     };
@@ -104,7 +124,7 @@ Enclosure squared_move(const scene::Problem<2>& first, const PlainField& field, 
     const int cell = static_cast<int>(c);
     const auto& form = forms[first.mesh.cell_body[c]];
     sum.add(integral([&](const std::array<Enclosure, 3>& e) { return form.strain_energy(e); },
-                     difference(strains(first, field, added, cell), before[c], Enclosure(1)),
+                     difference(cell_strain(first, field, added, cell), before[c], Enclosure(1)),
                      doubled_area(corners<Enclosure>(first, cell))));
   }
   return Enclosure(2) * sum.value();
@@ -119,10 +139,12 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
   double most = 0;
   for (std::size_t v = 0; v < given.vertex.size(); ++v) most = std::max(most, length(move(static_cast<int>(v))));
   const MovedField<Enclosure> before = as_given(first, given);
-  for (std::size_t e = 0; e < given.edge.size(); ++e) {
-    const auto& [a, b] = first.mesh.edges[e];
-    const Enclosure half = Enclosure(1) / Enclosure(2);
-    most = std::max(most, length(half * (move(a) + move(b)) + (added.bubbles[e] - before.bubbles[e])));
+  const auto points = static_cast<std::size_t>(scene::n_inside_edge(given.degree));  // of an edge
+  for (std::size_t i = 0; i < given.edge.size(); ++i) {
+    const auto& [a, b] = first.mesh.edges[i / points];
+    const int k = static_cast<int>(i % points) + 1;
+    const Vector2<Enclosure> linear = scene::linear_coefficient<Enclosure>(move(a), move(b), given.degree, k);
+    most = std::max(most, length(linear + (added.offsets.edge[i] - before.offsets.edge[i])));
   }
   return most;
 }
@@ -130,6 +152,7 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
 std::string fault_of_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
   if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
   if (std::string fault = problem_fault(first); !fault.empty()) return fault;
+  if (given.degree > 2) return "displacements of a degree above 2 violate a contact by more than quadratics";
   return displacement_fault(first, given);
 }
 
@@ -151,10 +174,11 @@ GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacem
   result.valid = std::isfinite(result.lower) && std::isfinite(result.upper) && std::isfinite(result.moved);
   for (const auto& pair : first.contact) {
     const auto r = approach_on<Enclosure>(first, supports, field, pair);
+    const auto least = gap_on<Enclosure>(pair.lower, 2), most = gap_on<Enclosure>(pair.upper, 2);
     std::array<double, 3> below, above;
     for (int i = 0; i < 3; ++i) {
-      below[i] = lower(Enclosure(pair.lower[i]) - r[i]);
-      above[i] = upper(Enclosure(pair.upper[i]) - r[i]);
+      below[i] = lower(least[i] - r[i]);
+      above[i] = upper(most[i] - r[i]);
       result.valid = result.valid && std::isfinite(below[i]) && std::isfinite(above[i]);
     }
     result.below.push_back(below);
@@ -182,11 +206,15 @@ GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Di
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
     const scene::Piece<2> piece = scene::piece_of_cell(problem, cell);
-    const Strains strain = difference(on_piece(whole[piece.of], piece), strains(problem, sides.above.field, own, cell),
-                                      Enclosure(1) / Enclosure(2));
+    const Strains of_given = on_piece(whole[piece.of], piece),
+                  of_own = cell_strain(problem, sides.above.field, own, cell);
+    const int degree = std::max(degree_of(of_given), degree_of(of_own));
+    const Strains strain =
+        difference(raised_to(degree, of_given), raised_to(degree, of_own), Enclosure(1) / Enclosure(2));
     const LoadedCell<Enclosure> block = loaded_cell(problem, sides.below.loads, cell);
-    const Enclosure share = squared_distance(forms[problem.mesh.cell_body[c]], strain,
-                                             block_stress(problem, block, cell), doubled_area(block.x));
+    const Enclosure share =
+        squared_distance(forms[problem.mesh.cell_body[c]], strain,
+                         block_stress(problem, sides.below.loads, block, cell), doubled_area(block.x));
     sum.add(share);
     shares[piece.of].add(share);
   }

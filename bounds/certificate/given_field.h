@@ -24,7 +24,8 @@ struct GivenEnergy {
   /// from vertex 0 of its first facet. Negative: it penetrates.
   std::vector<std::array<double, 3>> below = {}, above = {};
 };
-/// \param first on its first mesh, with its loads in balance   \param given u_x, need not solve anything
+/// \param first on its first mesh, with its loads in balance
+/// \param given u_x, of degree 1 or 2; need not solve anything
 GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given);
 
 /// By the equality in docs/other-programs.md, with m = ½ (σ(u_h) + λ_h) and T = ½ (w + κ) of fields that are

@@ -19,8 +19,9 @@ std::vector<double> least_gaps(const scene::Problem<2>& problem, const scene::Di
   for (const auto& contact : problem.contact) {
     double least = std::numeric_limits<double>::infinity();
     if (!field) least = 0;
-    for (int k = 0; k < 3 && field; ++k)
-      least = std::min(least, lower(-penetration<Enclosure>(problem, supports, *field, contact)[k]));
+    if (field)
+      for (const Enclosure& coefficient : penetration<Enclosure>(problem, supports, *field, contact))
+        least = std::min(least, lower(-coefficient));
     gaps.push_back(least);
   }
   return gaps;

@@ -26,8 +26,8 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     const Support support = problem.facets[f].support;
     for (int which = 0; which < 3 && support == Support::fixed; ++which)
       result.push_back({{Reaction::Kind::any, facet, which}, 1 / (which == 2 ? length : 1)});
-    for (int end = 0; end < 2 && support == Support::sliding; ++end)
-      result.push_back({{Reaction::Kind::normal, facet, end}, 1});
+    for (int k = 0; k <= loads.degree && support == Support::sliding; ++k)
+      result.push_back({{Reaction::Kind::normal, facet, k, -1, loads.degree}, 1});
   }
   std::vector<double> largest;  // pressure of each pair
   for (const auto& pair : problem.contact) {
@@ -35,9 +35,9 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     for (const double p : loads.along_normal[pair.first]) largest[pair.pair] = std::max(largest[pair.pair], p);
   }
   for (const auto& pair : problem.contact)
-    for (int end = 0; end < 2 && largest[pair.pair] > 0; ++end)
-      result.push_back({{Reaction::Kind::normal, pair.first, end, pair.second},
-                        std::max(loads.along_normal[pair.first][end] / largest[pair.pair], of_nothing)});
+    for (int k = 0; k <= loads.degree && largest[pair.pair] > 0; ++k)
+      result.push_back({{Reaction::Kind::normal, pair.first, k, pair.second, loads.degree},
+                        std::max(loads.along_normal[pair.first][k] / largest[pair.pair], of_nothing)});
   for (std::size_t i = 0; i < scene::first_of(problem).corrections.size(); ++i)
     result.push_back({{Reaction::Kind::correction, -1, static_cast<int>(i)}, of_data});
   return result;
@@ -71,7 +71,8 @@ bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<React
     for (const Reaction& one : barred)
       if (one.facet == facet.first && loads.along_normal[facet.first][one.which] > 0) pairs.insert(facet.pair);
   for (const auto& facet : problem.contact)
-    if (pairs.contains(facet.pair)) loads.along_normal[facet.first] = {0, 0};
+    if (pairs.contains(facet.pair))
+      for (double& p : loads.along_normal[facet.first]) p = 0;
   return !pairs.empty();
 }
 

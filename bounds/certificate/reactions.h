@@ -12,13 +12,14 @@ namespace bracket::bounds {
 struct Reaction {
   enum class Kind {
     any,        ///< Γ_u; `which` 0, 1: uniform along x, y; 2: linear along the normal, without resultant force
-    normal,     ///< Γ_0 and Γ_K: along the normal, at the facet's vertex `which`
+    normal,     ///< Γ_0 and Γ_K: along the normal, the Bernstein polynomial `which` of the facet
     correction  ///< of the first mesh's loads, `which` of Problem::corrections
   };
   Kind kind;
   int facet;
   int which;
   int other = -1;  ///< Γ_K: the second side
+  int degree = 1;  ///< normal: of the polynomial
   bool operator==(const Reaction&) const = default;
 };
 
@@ -35,12 +36,14 @@ bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<React
 /// x with A x = b. \return nothing where A may be singular
 std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure>> a, std::vector<Enclosure> b);
 
-/// The unit of a reaction as a load on its facet.
+/// The unit of a reaction as a load on its facet: what is linear of it, which has its resultant.
 template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& problem, const Reaction& reaction) {
   if (reaction.kind == Reaction::Kind::normal) {
-    SideLoad<Number> load;
-    load[reaction.which] = vector2<Number>(problem.facets[reaction.facet].normal);
-    return load;
+    std::vector<Number> unit(reaction.degree + 1, Number(0));
+    unit[reaction.which] = Number(1);
+    const Vector2<Number> n = vector2<Number>(problem.facets[reaction.facet].normal);
+    const auto [at0, at1] = split<Number>(unit).linear;
+    return {at0 * n, at1 * n};
   }
   if (reaction.which < 2) {
     const Vector2<Number> unit = vector2<Number>(scene::Vector<2>::Unit(reaction.which));
@@ -97,7 +100,7 @@ template <class Number>
 void add_reactions(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
                    const std::vector<Number>& amounts, EdgeLoads<Number>& loads) {
   for (std::size_t j = 0; j < chosen.size(); ++j) {
-    const auto& [kind, facet, which, other] = chosen[j];
+    const auto& [kind, facet, which, other, degree] = chosen[j];
     if (kind == Reaction::Kind::normal) loads.along_normal[facet][which] += amounts[j];
     if (kind != Reaction::Kind::any) continue;
     SideLoad<Number> load = unit_load<Number>(problem, chosen[j]);

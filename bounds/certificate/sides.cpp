@@ -16,7 +16,12 @@ bool is_finite(const auto& values) {
 }
 
 std::string stress_fault(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
-  if (stress.cell.size() != problem.mesh.cells.size()) return "the fields are not those of this mesh";
+  if (stress.degree < 1 || stress.degree > scene::stress_degree(scene::largest_degree))
+    return "the stresses are of no degree that there is";
+  const std::size_t values = 3 * scene::n_bernstein(stress.degree);
+  if (stress.cell.size() != problem.mesh.cells.size() ||
+      !std::ranges::all_of(stress.cell, [&](const auto& cell) { return cell.size() == values; }))
+    return "the fields are not those of this mesh";
   if (!std::ranges::all_of(stress.cell, [](const auto& cell) { return is_finite(cell); }))
     return "the stresses are not finite";
   return "";
@@ -55,12 +60,15 @@ Sides both_sides(const scene::Problem<2>& problem, const std::vector<Corrected<E
 
 /// A comparison with what is not a number is false, and might pass for a pressure of zero.
 std::string displacement_fault(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
-  if (displacement.degree != 1 && displacement.degree != 2) return "the displacements are neither linear nor quadratic";
+  if (displacement.degree < 1 || displacement.degree > scene::largest_degree)
+    return "the displacements are of no degree that there is";
   const auto& mesh = problem.mesh;
   if (displacement.vertex.size() != mesh.vertices.size() ||
-      displacement.edge.size() != (displacement.degree == 2 ? mesh.edges.size() : 0))
+      displacement.edge.size() != scene::n_inside_edge(displacement.degree) * mesh.edges.size() ||
+      displacement.cell.size() != scene::n_inside_cell(displacement.degree) * mesh.cells.size())
     return "the fields are not those of this mesh";
-  if (!is_finite(displacement.vertex) || !is_finite(displacement.edge)) return "the displacements are not finite";
+  if (!is_finite(displacement.vertex) || !is_finite(displacement.edge) || !is_finite(displacement.cell))
+    return "the displacements are not finite";
   return "";
 }
 

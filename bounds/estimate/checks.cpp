@@ -18,7 +18,7 @@ template <int dim>
 double displacement_scale(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   double strain = 0;
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
-    for (const auto& e : strain_at_vertices(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
+    for (const auto& e : bounds::strain(problem.mesh, displacement, static_cast<int>(c))) raise(strain, e.norm());
   return strain * problem.length_scale + largest_given(problem);
 }
 
@@ -26,23 +26,17 @@ template <int dim>
 double penetration(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                    const std::vector<ContactState>& states) {
   double worst = 0;
-  for (const auto& state : states) {
-    const auto& [g0, g1, middle] = state.gap_left;
-    for (const double coefficient : {g0, g1, 2 * middle - g0 / 2 - g1 / 2}) raise(worst, -coefficient);
-  }
+  for (const auto& state : states)
+    for (const double coefficient : state.gap_left) raise(worst, -coefficient);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support != Support::fixed && data.support != Support::sliding) continue;
     const auto u = on_facet(problem.mesh, displacement, static_cast<int>(f));
-    const Vector<dim>& n = data.normal;
-    const auto& d = data.displacement;
-    const auto& s = data.normal_displacement;
-    for (int i = 0; i < 3; ++i) {
-      if (data.support == Support::fixed)
-        raise(worst, (u[i] - (i < 2 ? d[i] : Vector<dim>((d[0] + d[1]) / 2))).norm());
-      else
-        raise(worst, std::abs(u[i].dot(n) - (i < 2 ? s[i] : (s[0] + s[1]) / 2)));
-    }
+    const auto fixed = coefficients(data.displacement, displacement.degree);
+    const auto sliding = coefficients(data.normal_displacement, displacement.degree);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      raise(worst,
+            data.support == Support::fixed ? (u[k] - fixed[k]).norm() : std::abs(u[k].dot(data.normal) - sliding[k]));
   }
   return worst;
 }
@@ -55,47 +49,54 @@ std::array<Vector<2>, 3> part(const scene::Mesh<2>& mesh, int cell, int k) {
   return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<2>::Zero()};
 }
 
-/// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts.
+/// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts, by
+/// coefficients.
 double equilibrium(const scene::Problem<2>& problem, const scene::Stress<2>& stress, int cell) {
-  constexpr int dim = 2;
   const auto& mesh = problem.mesh;
+  const int degree = stress.degree;
   double worst = 0;
   for (int k = 0; k < 3; ++k) {
     const auto x = part(mesh, cell, k);
-    const Vector<dim>&a = x[0], &b = x[1];
-    const auto corners = scene::stress_of_part(stress, cell, k);
-    const Voigt<dim> along_a = corners[0] - corners[2], along_b = corners[1] - corners[2];
-    // Gradient of a linear field from its slopes along a and b.
-    const double det = a[0] * b[1] - a[1] * b[0];
-    const Voigt<dim> dx = (b[1] * along_a - a[1] * along_b) / det, dy = (a[0] * along_b - b[0] * along_a) / det;
-    const Vector<dim> divergence(dx[0] + dy[2], dx[2] + dy[1]);
-    const double diameter = std::max({a.norm(), b.norm(), (a - b).norm()});
-    raise(worst, (divergence + problem.bodies[mesh.cell_body[cell]].force).norm() * diameter);
-    // Corner 1 of part k and corner 0 of part k+1 are the same vertex; corner 2 is the centroid of both.
-    const Vector<dim> n = scene::area_vector<dim>({x[2], b}).normalized();
+    const auto gradient = scene::hat_gradients<2>(x);
+    const auto own = scene::stress_of_part(stress, cell, k);
+    const double diameter = std::max({x[0].norm(), x[1].norm(), (x[0] - x[1]).norm()});
+    for (const auto& i : scene::bernstein_indices(degree - 1)) {
+      Vector<2> divergence = problem.bodies[mesh.cell_body[cell]].force;
+      for (int corner = 0; corner < 3; ++corner) {
+        std::array<int, 3> above = i;
+        ++above[corner];
+        divergence += degree * scene::traction<2>(own[scene::bernstein_place(above)], gradient[corner]);
+      }
+      raise(worst, divergence.norm() * diameter);
+    }
+    // The side from corner 1 of part k to its corner 2 is that from corner 0 to 2 of part k+1.
+    const Vector<2> n = scene::area_vector<2>({x[2], x[1]}).normalized();
     const auto next = scene::stress_of_part(stress, cell, (k + 1) % 3);
-    raise(worst, scene::traction<dim>(corners[1] - next[0], n).norm());
-    raise(worst, scene::traction<dim>(corners[2] - next[2], n).norm());
+    for (int i = 0; i <= degree; ++i)
+      raise(worst,
+            scene::traction<2>(
+                own[scene::bernstein_place(degree, degree - i, i)] - next[scene::bernstein_place(degree, 0, i)], n)
+                .norm());
   }
   return worst;
 }
 
-/// λn at the vertices of every facet, from each of its cells, in the order of their numbers; and, of the two sides of a
-/// contact, the first facet's.
+/// λn on every facet, from each of its cells, by coefficients from its lower vertex to its higher; and, of the two
+/// sides of a contact, the first facet's.
 template <int dim> double interface_jump(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
+  static_assert(dim == 2);
   const auto& mesh = problem.mesh;
-  const auto zero = scene::at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
-  std::vector<std::array<Vector<dim>, dim>> sum(scene::n_facets(mesh), zero);
+  const std::vector<Vector<dim>> zero(stress.degree + 1, Vector<dim>::Zero());
+  std::vector<std::vector<Vector<dim>>> sum(scene::n_facets(mesh), zero);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k <= dim; ++k) {
       const int cell = static_cast<int>(c);
       const auto vertices = scene::facet_vertices(mesh, cell, k);
       const Vector<dim> n = scene::area_vector<dim>(scene::positions(mesh, vertices)).normalized();
-      const auto corners = scene::stress_of_part(stress, cell, k);
-      for (int i = 0; i < dim; ++i) {
-        const auto place = std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < vertices[i]; });
-        sum[scene::cell_facets(mesh, cell)[k]][place] += scene::traction<dim>(corners[i], n);
-      }
+      const auto own = scene::stress_of_part(stress, cell, k);
+      for (int i = 0; i <= stress.degree; ++i)
+        sum[scene::cell_facets(mesh, cell)[k]][vertices[0] < vertices[1] ? i : stress.degree - i] +=
+            scene::traction<dim>(own[i], n);
     }
   for (const auto& facet : mesh.boundary) sum[scene::cell_facets(mesh, facet.cell)[facet.local]] = zero;
   double worst = 0;
@@ -105,7 +106,7 @@ template <int dim> double interface_jump(const scene::Problem<dim>& problem, con
     if (pair.second < 0) continue;
     const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
     const double longer = scene::length(mesh, pair.second) / scene::length(mesh, pair.first);  // forces are opposite
-    for (int i = 0; i < 2; ++i) raise(worst, (first[i] + longer * second[1 - i]).norm());
+    for (int i = 0; i <= stress.degree; ++i) raise(worst, (first[i] + longer * second[stress.degree - i]).norm());
   }
   return worst;
 }
@@ -123,9 +124,9 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
     if (data.support == Support::fixed) continue;
     const auto t = tractions(problem.mesh, stress, static_cast<int>(f));
     const Vector<dim>& n = data.normal;
-    const auto given = scene::load(problem, static_cast<int>(f));
+    const auto given = coefficients(scene::load(problem, static_cast<int>(f)), stress.degree);
     const double length = scene::length(problem.mesh, static_cast<int>(f));
-    for (int i = 0; i < dim; ++i) {
+    for (std::size_t i = 0; i < t.size(); ++i) {
       if (data.support == Support::traction)
         raise(worst.traction, (t[i] - given[i] / length).norm());
       else

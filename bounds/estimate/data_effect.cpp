@@ -10,11 +10,13 @@
 
 namespace bracket::bounds {
 
-using scene::between_ends;
 using scene::Support;
 using scene::Vector;
 
 namespace {
+
+/// Simpson's rule on (0, 1): exact for cubics.
+double simpson(double at0, double middle, double at1) { return (at0 + 4 * middle + at1) / 6; }
 
 using Panels = std::vector<scene::Difference>;
 
@@ -23,7 +25,7 @@ template <class Weight> double against(const Panels& panels, double length, cons
   double sum = 0;
   for (const auto& [on, largest, slope, value] : panels) {
     if (largest == 0) continue;
-    const double mean = simpson(weight(on.from), weight((on.from + on.to) / 2), weight(on.to), 1);
+    const double mean = simpson(weight(on.from), weight((on.from + on.to) / 2), weight(on.to));
     if (mean > 0) sum += length * (on.to - on.from) * largest * mean;
   }
   return sum;
@@ -39,21 +41,23 @@ double squares(const Panels& panels, double scene::Difference::*what) {
 
 /// Of a load δ left out, to which what is linear is orthogonal: its work on u_h, and the energy with which a half-plane
 /// answers to it, whose waves have lengths up to 4/3 of the edge: (1 − ν²)/E ∫ δ² / k with k ≥ 3 π / (2 length).
-double effect_of_load(const Panels& panels, double length, const std::array<Vector<2>, 3>& u, int degree,
-                      double compliance) {
+double effect_of_load(const Panels& panels, double length, const std::vector<Vector<2>>& u, double compliance) {
   // Of linear displacements only the mean is taken off, as what they lack of the exact ones is not known.
-  const double rest = degree == 2 ? (u[2] - (u[0] + u[1]) / 2).norm() : (u[1] - u[0]).norm();
-  const double work = degree == 2 ? against(panels, length, [&](double s) { return 4 * s * (1 - s) * rest; })
-                                  : against(panels, length, [&](double s) { return std::abs(s - 0.5) * rest; });
+  const int degree = static_cast<int>(u.size()) - 1;
+  double rest = degree == 1 ? (u[1] - u[0]).norm() : 0;  // else the largest offset from what is linear
+  for (int k = 1; k < degree; ++k)
+    rest = std::max(rest, (u[k] - scene::linear_coefficient<double>(u.front(), u.back(), degree, k)).norm());
+  const double work = degree > 1 ? against(panels, length, [&](double s) { return degree * s * (1 - s) * rest; })
+                                 : against(panels, length, [&](double s) { return std::abs(s - 0.5) * rest; });
   return work + compliance / 5 * length * length * squares(panels, &scene::Difference::largest);
 }
 
 /// Of a displacement δ left out: the work of λ_h n along `direction` on it, and the energy with which a half-plane
 /// follows it, E/(1 − ν²)/4 ∫ δ² k, with waves of which ∫ δ² k ≤ (∫ δ² ∫ δ'²)^½.
-double effect_of_displacement(const Panels& panels, double length, const std::array<Vector<2>, 2>& traction,
+double effect_of_displacement(const Panels& panels, double length, const std::vector<Vector<2>>& traction,
                               const Vector<2>& direction, double stiffness) {
   const double work =
-      against(panels, length, [&](double s) { return std::abs(between_ends(traction, s).dot(direction)); });
+      against(panels, length, [&](double s) { return std::abs(scene::value_on_segment(traction, s).dot(direction)); });
   const double lost = squares(panels, &scene::Difference::largest);
   return lost == 0 ? work : work + stiffness / 4 * std::sqrt(lost * squares(panels, &scene::Difference::slope));
 }
@@ -87,27 +91,24 @@ double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>
     const Panels panels = scene::difference(given.value[c], a, b, fixed);
     if (is_rounding(panels, fixed, a, b)) continue;
     const Vector<2> direction = given.value.size() == 1 ? data.normal : Vector<2>(Vector<2>::Unit(c));
-    effect += data.support == Support::traction
-                  ? effect_of_load(panels, length, on_facet(mesh, displacement, facet), displacement.degree,
-                                   largest_entry(material.compliance()))
-                  : effect_of_displacement(panels, length, tractions(mesh, stress, facet), direction,
-                                           largest_entry(material.stiffness()));
+    effect +=
+        data.support == Support::traction
+            ? effect_of_load(panels, length, on_facet(mesh, displacement, facet), largest_entry(material.compliance()))
+            : effect_of_displacement(panels, length, tractions(mesh, stress, facet), direction,
+                                     largest_entry(material.stiffness()));
   }
   return effect;
 }
 
-double bernstein(const std::array<double, 3>& c, double s) {
-  return (1 - s) * ((1 - s) * c[0] + 2 * s * c[1]) + s * s * c[2];
-}
-
 /// ∫ p_h |g − g_h| of a gap that is sampled.
 double effect_of_gap(const scene::Function<2>& gap, const scene::Problem<2>& problem, const scene::ContactFacet& pair,
-                     const std::array<double, 2>& pressure) {
+                     const std::vector<double>& pressure) {
   const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[pair.first].vertices);
+  const std::vector<double> fixed(pair.lower.begin(), pair.lower.end());
   double sum = 0;
   for (const auto& [x, weight] : scene::gauss_points<5>()) {
-    const double s = (1 + x) / 2, moved = gap((1 - s) * a + s * b) - bernstein(pair.lower, s);
-    sum += weight / 2 * std::abs(between_ends(pressure, s) * moved);
+    const double s = (1 + x) / 2, moved = gap((1 - s) * a + s * b) - scene::value_on_segment(fixed, s);
+    sum += weight / 2 * std::abs(scene::value_on_segment(pressure, s) * moved);
   }
   return scene::length(problem.mesh, pair.first) * sum;
 }

@@ -12,18 +12,14 @@ namespace {
 /// Sums over many cells are kept in extended precision: energies cancel to the width of the bracket.
 using Sum = long double;
 
-/// ∫ F·v over a cell.
+/// ∫ F·v over a cell: the mean of its Bernstein coefficients.
 template <int dim>
 double body_force_work(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                        const Vector<dim>& force, int cell) {
-  using Table = scene::Simplex<dim>;
-  const bool quadratic = displacement.degree == 2;
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (int k = 0; k <= dim; ++k)
-    sum += (quadratic ? Table::quadratic_mean(k) : 1) * displacement.vertex[mesh.cells[cell][k]];
-  for (int e = 0; e < Table::n_edges && quadratic; ++e)
-    sum += Table::quadratic_mean(Table::n_vertices + e) * displacement.edge[mesh.cell_edges[cell][e]];
-  return scene::volume(mesh, cell) / (quadratic ? Table::quadratic_means_of : Table::n_vertices) * force.dot(sum);
+  Vector<dim> linear = Vector<dim>::Zero(), beside = linear;
+  for (const int v : mesh.cells[cell]) linear += displacement.vertex[v] / (dim + 1);
+  for (const Vector<dim>& offset : scene::offsets_on_cell(mesh, displacement, cell)) beside += offset;
+  return scene::volume(mesh, cell) * force.dot(linear + beside / scene::n_bernstein(displacement.degree));
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     const int cell = static_cast<int>(c);
     const auto& body = problem.bodies[mesh.cell_body[c]];
     const auto form = [&](const Voigt<dim>& e) { return 0.5 * e.dot(body.material.stiffness() * e); };
-    strain += integrate(form, strain_at_vertices(mesh, displacement, cell), scene::volume(mesh, cell));
+    strain += scene::volume(mesh, cell) * mean(form, bounds::strain(mesh, displacement, cell));
     if (!body.force.isZero(0)) work += body_force_work(mesh, displacement, body.force, cell);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -44,7 +40,9 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     if (!scene::is_loaded(data)) continue;
     const auto u = on_facet(mesh, displacement, static_cast<int>(f));
     const auto load = scene::load(problem, static_cast<int>(f));
-    work += simpson(load[0].dot(u[0]), (load[0] + load[1]).dot(u[2]) / 2, load[1].dot(u[1]), 1);
+    for (int c = 0; c < dim; ++c)
+      work +=
+          scene::bernstein_product(std::vector<double>{load[0][c], load[1][c]}, along<dim>(u, Vector<dim>::Unit(c)));
   }
   return {static_cast<double>(strain), static_cast<double>(strain - work)};
 }
@@ -57,7 +55,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const int cell = static_cast<int>(c);
     const double part = scene::volume(mesh, cell) / (dim + 1);
-    for (int k = 0; k <= dim; ++k) energy += integrate(form, scene::stress_of_part(stress, cell, k), part);
+    for (int k = 0; k <= dim; ++k) energy += part * mean(form, scene::stress_of_part(stress, cell, k));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -65,21 +63,18 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     const int facet = static_cast<int>(f);
     const auto t = tractions(mesh, stress, facet);
     const double length = scene::length(mesh, facet);
-    std::array<double, dim> force, given;
-    if (data.support == Support::fixed) {
-      for (int c = 0; c < dim; ++c) {
-        for (int i = 0; i < dim; ++i) force[i] = t[i][c], given[i] = data.displacement[i][c];
-        energy -= scene::integral_of_product(force, given, length);
-      }
-    } else {
-      for (int i = 0; i < dim; ++i) force[i] = t[i].dot(data.normal);
-      energy -= scene::integral_of_product(force, data.normal_displacement, length);
+    for (int c = 0; c < dim && data.support == Support::fixed; ++c) {
+      const std::vector<double> given = {data.displacement[0][c], data.displacement[1][c]};
+      energy -= length * scene::bernstein_product(along<dim>(t, Vector<dim>::Unit(c)), given);
+    }
+    if (data.support == Support::sliding) {
+      const std::vector<double> given(data.normal_displacement.begin(), data.normal_displacement.end());
+      energy -= length * scene::bernstein_product(along<dim>(t, data.normal), given);
     }
   }
   for (const auto& pair : problem.contact) {
-    const auto [p0, p1] = plain_pressure(problem, stress, pair);
-    energy += simpson(p0 * pair.upper[0], (p0 + p1) / 2 * scene::at_middle(pair.upper), p1 * pair.upper[2],
-                      scene::length(mesh, pair.first));
+    const std::vector<double> gap(pair.upper.begin(), pair.upper.end());
+    energy += scene::length(mesh, pair.first) * scene::bernstein_product(plain_pressure(problem, stress, pair), gap);
   }
   return static_cast<double>(energy);
 }

@@ -10,10 +10,11 @@
 /// Energies, indicators, checks and marks of the fields as computed, rounding included.
 namespace bracket::bounds {
 
-/// σ(u_h) at the vertices of a cell, between which it is linear.
+/// σ(u_h) on a cell, by Bernstein coefficients of the degree stress_degree() of the stresses beside it; degree 1: at
+/// the vertices.
 template <int dim>
-std::array<scene::Voigt<dim>, dim + 1> displacement_stress(const scene::Problem<dim>& problem,
-                                                           const scene::Displacement<dim>& displacement, int cell);
+std::vector<scene::Voigt<dim>> displacement_stress(const scene::Problem<dim>& problem,
+                                                   const scene::Displacement<dim>& displacement, int cell);
 
 /// L(v) = ½ A(v,v) − ℓ(v) [HH81 §1], and its strain part ½ A(v,v).
 struct PotentialEnergy {
@@ -98,19 +99,18 @@ template <int dim>
 DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                        const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
-/// The pressure of λ_h on each contact facet, at the first facet's vertices 0 and 1, linear between; exactly 0 where it
-/// is not more than rounding of λ_h. That is seen where λ_h n has to be something known: by the most that, on the
-/// bodies of the pair, it misses the loads of Γ_τ and has of shear on Γ_0 and Γ_K (up to Checks::tolerance of their
-/// largest stress; what is more is not rounding), and by 1e-11 of that stress, below which the certificate has no
-/// pressure either.
+/// The pressure of λ_h on each contact facet, by Bernstein coefficients from the first facet's vertex 0 to its vertex
+/// 1, which are ≥ 0 (degree 1: its values there); exactly 0 where one is not more than rounding of λ_h. That is seen
+/// where λ_h n has to be something known: by the most that, on the bodies of the pair, it misses the loads of Γ_τ and
+/// has of shear on Γ_0 and Γ_K (up to Checks::tolerance of their largest stress; what is more is not rounding), and by
+/// 1e-11 of that stress, below which the certificate has no pressure either.
 template <int dim>
-std::vector<std::array<double, 2>> contact_pressure(const scene::Problem<dim>& problem,
-                                                    const scene::Stress<dim>& stress);
+std::vector<std::vector<double>> contact_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress);
 
-/// On one contact facet, at the first facet's vertices 0 and 1 (and its midpoint: gap only).
+/// On one contact facet, by Bernstein coefficients from the first facet's vertex 0 to its vertex 1.
 struct ContactState {
-  std::array<double, 2> pressure;  ///< of λ_h, see contact_pressure()
-  std::array<double, 3> gap_left;  ///< g − r(u_h)
+  std::vector<double> pressure;  ///< of λ_h, see contact_pressure()
+  std::vector<double> gap_left;  ///< g − r(u_h)
 };
 template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,

@@ -11,20 +11,28 @@ using scene::Voigt;
 
 namespace {
 
-/// g − r(u_h) at the vertices and the midpoint.
+/// g − r(u_h) by Bernstein coefficients.
 template <int dim>
-std::array<double, 3> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                               const scene::ContactFacet& pair) {
+std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                             const scene::ContactFacet& pair) {
+  const auto& mesh = problem.mesh;
   const Vector<dim> d = problem.facets[pair.first].normal;
-  auto relative = on_facet(problem.mesh, displacement, pair.first);
+  const auto& [a, b] = mesh.boundary[pair.first].vertices;
+  std::array<Vector<dim>, 2> ends = {displacement.vertex[a], displacement.vertex[b]};
+  auto offset = scene::offsets_on_facet(mesh, displacement, pair.first);
   if (pair.second >= 0) {
-    const auto other = on_facet(problem.mesh, displacement, pair.second);
-    relative[0] -= other[1];  // the second side runs the other way
-    relative[1] -= other[0];
-    relative[2] -= other[2];
+    const auto& [over_b, over_a] = mesh.boundary[pair.second].vertices;  // the second side runs the other way
+    ends[0] -= displacement.vertex[over_a];
+    ends[1] -= displacement.vertex[over_b];
+    const auto other = scene::offsets_on_facet(mesh, displacement, pair.second);
+    for (std::size_t k = 0; k < offset.size(); ++k) offset[k] -= other[other.size() - 1 - k];
   }
-  std::array<double, 3> left = {pair.upper[0], pair.upper[2], scene::at_middle(pair.upper)};
-  for (int i = 0; i < 3; ++i) left[i] -= relative[i].dot(d);
+  std::vector<double> approach = along<dim>(offset, d);
+  for (int k = 0; k <= displacement.degree; ++k)
+    approach[k] += scene::linear_coefficient<double>(ends[0].dot(d), ends[1].dot(d), displacement.degree, k);
+  approach = scene::raised_to<double>(2, approach);
+  auto left = scene::raised_to<double>(displacement.degree, std::vector<double>(pair.upper.begin(), pair.upper.end()));
+  for (std::size_t k = 0; k < left.size(); ++k) left[k] -= approach[k];
   return left;
 }
 
@@ -41,8 +49,8 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
     const int facet = static_cast<int>(f);
     double& most = misfit[mesh.cell_body[mesh.boundary[f].cell]];
     const auto t = tractions(mesh, stress, facet);
-    const auto load = scene::load(problem, facet);
-    for (int i = 0; i < dim; ++i) {
+    const auto load = coefficients(scene::load(problem, facet), stress.degree);
+    for (int i = 0; i <= stress.degree; ++i) {
       const bool given = data.support == scene::Support::traction;
       const Vector<dim> known =
           given ? Vector<dim>(load[i] / scene::length(mesh, facet)) : Vector<dim>(t[i].dot(data.normal) * data.normal);
@@ -57,12 +65,12 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
 }  // namespace
 
 template <int dim>
-std::vector<std::array<double, 2>> contact_pressure(const scene::Problem<dim>& problem,
-                                                    const scene::Stress<dim>& stress) {
+std::vector<std::vector<double>> contact_pressure(const scene::Problem<dim>& problem,
+                                                  const scene::Stress<dim>& stress) {
   const auto& mesh = problem.mesh;
   const std::vector<double> rounding = rounding_of_tractions(problem, stress);
   const auto of_body = [&](int facet) { return rounding[mesh.cell_body[mesh.boundary[facet].cell]]; };
-  std::vector<std::array<double, 2>> pressure;
+  std::vector<std::vector<double>> pressure;
   pressure.reserve(problem.contact.size());
   for (const auto& pair : problem.contact) {
     const double none = std::max(of_body(pair.first), pair.second < 0 ? 0 : of_body(pair.second));
@@ -85,6 +93,31 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
   return states;
 }
 
+namespace {
+
+/// The same stress, by coefficients of a degree that is not lower.
+template <int dim> std::vector<Voigt<dim>> of_degree(int degree, std::vector<Voigt<dim>> stress) {
+  for (int own = 1; own < degree; ++own)
+    if (static_cast<int>(stress.size()) == scene::n_bernstein(own))
+      stress = scene::raised_on_triangle<double>(stress, own);
+  return stress;
+}
+
+/// A polynomial of a cell on the part of it that scene::Stress has at facet k.
+template <int dim> std::vector<Voigt<dim>> on_part(const std::vector<Voigt<dim>>& of_cell, int degree, int k) {
+  const auto moved = scene::on_centroid_part<double>(of_cell, degree, k);
+  std::vector<Voigt<dim>> part;
+  for (const auto& i : scene::bernstein_indices(degree)) {
+    std::array<int, 3> at;
+    for (int corner = 0; corner < 2; ++corner) at[scene::Simplex<dim>::facets[k][corner]] = i[corner];
+    at[k] = i[2];
+    part.push_back(moved[scene::bernstein_place(at)]);
+  }
+  return part;
+}
+
+}  // namespace
+
 template <int dim>
 Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                     const scene::Stress<dim>& stress) {
@@ -96,32 +129,29 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
     const int cell = static_cast<int>(c);
     const auto& compliance = problem.bodies[mesh.cell_body[c]].material.compliance();
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
-    const auto sigma = displacement_stress(problem, displacement, cell);
-    Voigt<dim> middle = sigma[0];
-    for (int k = 1; k <= dim; ++k) middle += sigma[k];
-    middle /= dim + 1;
+    const int degree = std::max(stress.degree, scene::stress_degree(displacement.degree));
+    const auto sigma = of_degree<dim>(degree, displacement_stress(problem, displacement, cell));
     const double part = scene::volume(mesh, cell) / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
-      const auto lambda = scene::stress_of_part(stress, cell, k);
-      std::array<Voigt<dim>, dim + 1> difference;
-      for (int i = 0; i < dim; ++i) difference[i] = sigma[scene::Simplex<dim>::facets[k][i]] - lambda[i];
-      difference[dim] = middle - lambda[dim];
-      result.cell[c] += integrate(form, difference, part);
+      std::vector<Voigt<dim>> difference = on_part<dim>(sigma, degree, k);
+      const auto own = scene::stress_of_part(stress, cell, k);
+      const auto lambda = of_degree<dim>(degree, {own.begin(), own.end()});
+      for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= lambda[i];
+      result.cell[c] += part * mean(form, difference);
     }
     sum += result.cell[c];
   }
   for (const auto& pair : problem.contact) {
-    const auto p = plain_pressure(problem, stress, pair);
-    const auto gap = gap_left(problem, displacement, pair);
     result.contact.push_back(
-        simpson(p[0] * gap[0], (p[0] + p[1]) / 2 * gap[2], p[1] * gap[1], scene::length(mesh, pair.first)));
+        scene::length(mesh, pair.first) *
+        scene::bernstein_product(plain_pressure(problem, stress, pair), gap_left(problem, displacement, pair)));
     sum += result.contact.back();
   }
   result.sum = static_cast<double>(sum);
   return result;
 }
 
-template std::vector<std::array<double, 2>> contact_pressure(const scene::Problem<2>&, const scene::Stress<2>&);
+template std::vector<std::vector<double>> contact_pressure(const scene::Problem<2>&, const scene::Stress<2>&);
 template std::vector<ContactState> contact_state(const scene::Problem<2>&, const scene::Displacement<2>&,
                                                  const scene::Stress<2>&);
 template Indicator indicator(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);

@@ -10,67 +10,67 @@ using scene::Vector;
 using scene::Voigt;
 
 template <int dim>
-std::array<Voigt<dim>, dim + 1> strain_at_vertices(const scene::Mesh<dim>& mesh,
-                                                   const scene::Displacement<dim>& displacement, int cell) {
-  using Table = scene::Simplex<dim>;
+std::vector<Voigt<dim>> strain(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement, int cell) {
+  static_assert(dim == 2);
   const auto& v = mesh.cells[cell];
+  const int degree = displacement.degree;
   const auto gradient = scene::hat_gradients<dim>(scene::positions(mesh, v));
-  std::array<Voigt<dim>, dim + 1> strain;
-  for (int m = 0; m <= dim; ++m) {
-    // Differences to the vertex itself, so that a large rigid translation does not cancel in the gradient.
-    const Vector<dim>& u = displacement.vertex[v[m]];
-    Eigen::Matrix<double, dim, dim> g = Eigen::Matrix<double, dim, dim>::Zero();
-    for (int j = 0; j <= dim; ++j) {
-      if (j == m) continue;
-      Vector<dim> slope = displacement.vertex[v[j]] - u;
-      if (displacement.degree == 2)
-        slope = 4 * (displacement.edge[mesh.cell_edges[cell][Table::edge_between(m, j)]] - u) - slope;
-      g += slope * gradient[j].transpose();
+  // Differences to one vertex, so that a large rigid translation does not cancel in the gradient.
+  Eigen::Matrix<double, dim, dim> linear = Eigen::Matrix<double, dim, dim>::Zero();
+  for (int j = 1; j <= dim; ++j)
+    linear += (displacement.vertex[v[j]] - displacement.vertex[v[0]]) * gradient[j].transpose();
+  if (degree == 1) return {std::size_t{dim} + 1, scene::strain<dim>(linear)};
+  const auto offset = scene::offsets_on_cell(mesh, displacement, cell);
+  std::vector<Voigt<dim>> strain;
+  for (const auto& i : scene::bernstein_indices(degree - 1)) {
+    Eigen::Matrix<double, dim, dim> g = linear;
+    for (int corner = 0; corner <= dim; ++corner) {
+      std::array<int, 3> above = i;
+      ++above[corner];
+      g += degree * offset[scene::bernstein_place(above)] * gradient[corner].transpose();
     }
-    strain[m] = scene::strain<dim>(g);
+    strain.push_back(scene::strain<dim>(g));
   }
   return strain;
 }
 
 template <int dim>
-std::array<Voigt<dim>, dim + 1> displacement_stress(const scene::Problem<dim>& problem,
-                                                    const scene::Displacement<dim>& displacement, int cell) {
-  auto field = strain_at_vertices(problem.mesh, displacement, cell);
+std::vector<Voigt<dim>> displacement_stress(const scene::Problem<dim>& problem,
+                                            const scene::Displacement<dim>& displacement, int cell) {
+  auto field = strain(problem.mesh, displacement, cell);
   for (auto& value : field) value = (problem.bodies[problem.mesh.cell_body[cell]].material.stiffness() * value).eval();
   return field;
 }
 
 template <int dim>
-std::array<Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
-                                    int facet) {
-  const auto& f = mesh.boundary[facet];
-  const Vector<dim>&a = displacement.vertex[f.vertices[0]], &b = displacement.vertex[f.vertices[1]];
-  return {a, b, displacement.degree == 2 ? displacement.edge[f.edge] : Vector<dim>((a + b) / 2)};
+std::vector<Vector<dim>> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
+                                  int facet) {
+  const auto& [a, b] = mesh.boundary[facet].vertices;
+  std::vector<Vector<dim>> u = scene::offsets_on_facet(mesh, displacement, facet);
+  for (int k = 0; k <= displacement.degree; ++k)
+    u[k] += scene::linear_coefficient<double>(displacement.vertex[a], displacement.vertex[b], displacement.degree, k);
+  return u;
 }
 
 template <int dim>
-std::array<Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress,
-                                                    int facet) {
+std::vector<Vector<dim>> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress, int facet) {
   const auto& f = mesh.boundary[facet];
   const Vector<dim> n = scene::normal(mesh, facet);
-  const auto corners = scene::stress_of_part(stress, f.cell, f.local);
-  std::array<Vector<dim>, dim> result;
-  for (int i = 0; i < dim; ++i) result[i] = scene::traction<dim>(corners[i], n);
+  std::vector<Vector<dim>> result;
+  for (const Voigt<dim>& value : scene::stress_of_part(stress, f.cell, f.local).first(stress.degree + 1))
+    result.push_back(scene::traction<dim>(value, n));
   return result;
 }
 
 template <int dim>
-std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& problem,
-                                                    const scene::Stress<dim>& stress, const scene::ContactFacet& pair) {
-  const Vector<dim>& d = problem.facets[pair.first].normal;
+std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                   const scene::ContactFacet& pair) {
   auto t = tractions(problem.mesh, stress, pair.first);
   if (scene::is_loaded(problem.facets[pair.first])) {
-    const auto load = scene::load(problem, pair.first);
-    for (int i = 0; i < dim; ++i) t[i] -= load[i] / scene::length(problem.mesh, pair.first);
+    const auto load = coefficients(scene::load(problem, pair.first), stress.degree);
+    for (std::size_t k = 0; k < t.size(); ++k) t[k] -= load[k] / scene::length(problem.mesh, pair.first);
   }
-  std::array<double, dim> pressure;
-  for (int i = 0; i < dim; ++i) pressure[i] = -t[i].dot(d);
-  return pressure;
+  return along<dim>(t, -problem.facets[pair.first].normal);
 }
 
 template <int dim> double largest_at_vertices(const scene::Displacement<dim>& displacement) {
@@ -96,12 +96,12 @@ template <int dim> double largest_given(const scene::Problem<dim>& problem) {
   return largest;
 }
 
-template std::array<Voigt<2>, 3> strain_at_vertices(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
-template std::array<Voigt<2>, 3> displacement_stress(const scene::Problem<2>&, const scene::Displacement<2>&, int);
-template std::array<Vector<2>, 3> on_facet(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
-template std::array<Vector<2>, 2> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
-template std::array<double, 2> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
-                                              const scene::ContactFacet&);
+template std::vector<Voigt<2>> strain(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::vector<Voigt<2>> displacement_stress(const scene::Problem<2>&, const scene::Displacement<2>&, int);
+template std::vector<Vector<2>> on_facet(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::vector<Vector<2>> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
+template std::vector<double> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
+                                            const scene::ContactFacet&);
 template double largest_at_vertices(const scene::Displacement<2>&);
 template double largest_stress(const scene::Stress<2>&);
 template double largest_given(const scene::Problem<2>&);

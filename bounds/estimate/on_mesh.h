@@ -4,31 +4,45 @@
 #include <cmath>
 
 #include "bounds/estimate/estimate.h"
+#include "scene/offsets.h"
 #include "scene/voigt.h"
 
 /// The two fields where the bracket needs them: strains on cells, displacements and tractions on boundary facets.
 namespace bracket::bounds {
 
-/// ε(u_h) at the vertices of a cell, between which it is linear (degree 1: constant).
+/// ε(u_h) on a cell, by Bernstein coefficients of the degree of the stresses beside u_h.
 template <int dim>
-std::array<scene::Voigt<dim>, dim + 1> strain_at_vertices(const scene::Mesh<dim>& mesh,
-                                                          const scene::Displacement<dim>& displacement, int cell);
+std::vector<scene::Voigt<dim>> strain(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
+                                      int cell);
 
-/// Displacement at a boundary facet's vertices 0 and 1 and its midpoint; quadratic between.
+/// u_h on a boundary facet, by Bernstein coefficients from its vertex 0 to its vertex 1.
 template <int dim>
-std::array<scene::Vector<dim>, 3> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
-                                           int facet);
+std::vector<scene::Vector<dim>> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
+                                         int facet);
 
-/// λn at a boundary facet's vertices; linear between.
+/// λn on a boundary facet, likewise.
 template <int dim>
-std::array<scene::Vector<dim>, std::size_t{dim}> tractions(const scene::Mesh<dim>& mesh,
-                                                           const scene::Stress<dim>& stress, int facet);
+std::vector<scene::Vector<dim>> tractions(const scene::Mesh<dim>& mesh, const scene::Stress<dim>& stress, int facet);
 
-/// The pressure of λ_h on a contact facet, at the first facet's vertices, as computed: what λ_h n has along d beside
-/// the loads of a perturbed problem. The gap identity needs it as it is.
+/// What is given linearly on a boundary facet, likewise. \param ends at its vertices
+template <class Value> std::vector<Value> coefficients(const std::array<Value, 2>& ends, int degree) {
+  std::vector<Value> result;
+  for (int k = 0; k <= degree; ++k) result.push_back(scene::linear_coefficient<double>(ends[0], ends[1], degree, k));
+  return result;
+}
+/// One component of each.
 template <int dim>
-std::array<double, std::size_t{dim}> plain_pressure(const scene::Problem<dim>& problem,
-                                                    const scene::Stress<dim>& stress, const scene::ContactFacet& pair);
+std::vector<double> along(const std::vector<scene::Vector<dim>>& coefficients, const scene::Vector<dim>& direction) {
+  std::vector<double> result;
+  for (const auto& value : coefficients) result.push_back(value.dot(direction));
+  return result;
+}
+
+/// The pressure of λ_h on a contact facet, likewise, as computed: what λ_h n has along d beside the loads of a
+/// perturbed problem. The gap identity needs it as it is.
+template <int dim>
+std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                   const scene::ContactFacet& pair);
 
 /// Keeps the largest value; a NaN stays.
 inline void raise(double& largest, double value) {
@@ -42,21 +56,10 @@ template <int dim> double largest_stress(const scene::Stress<dim>& stress);
 /// The largest of the prescribed displacements and gaps.
 template <int dim> double largest_given(const scene::Problem<dim>& problem);
 
-/// ∫ q(f) over a simplex of a quadratic form q of a linear field, given at the corners: exact.
-template <class Form, class Value, std::size_t n>
-double integrate(const Form& q, const std::array<Value, n>& f, double volume) {
-  Value sum = f[0];
-  double of_corners = q(f[0]);
-  for (std::size_t i = 1; i < n; ++i) {
-    sum += f[i];
-    of_corners += q(f[i]);
-  }
-  return volume / scene::Simplex<static_cast<int>(n) - 1>::hat_masses_of * (of_corners + q(sum));
-}
-
-/// Simpson's rule on an edge: exact for cubics.
-inline double simpson(double at0, double middle, double at1, double length) {
-  return length / 6 * (at0 + 4 * middle + at1);
+/// The mean over a triangle of a quadratic form of what has these Bernstein coefficients: exact.
+template <class Form, class Values> double mean(const Form& form, const Values& coefficients) {
+  using Value = std::remove_cvref_t<decltype(coefficients[0])>;
+  return scene::mean_of_squares<double>(form, std::span<const Value>(coefficients));
 }
 
 }  // namespace bracket::bounds

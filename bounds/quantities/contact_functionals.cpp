@@ -154,7 +154,8 @@ Enclosure weighted_gap(const Problem<2>& problem, const std::vector<std::array<d
       std::array<Enclosure, 2> hat = {Enclosure(0), Enclosure(0)};
       hat[i] = between_ends(Enclosure(a), Enclosure(b), corner[i][0]);
       const auto& gap = (hat[i].middle >= 0) == upper ? pair.upper : pair.lower;
-      sum.add(length * integral_of_product<Enclosure>(hat, {Enclosure(gap[0]), Enclosure(gap[1]), Enclosure(gap[2])}));
+      sum.add(length *
+              scene::bernstein_product(std::vector<Enclosure>(hat.begin(), hat.end()), gap_on<Enclosure>(gap, 2)));
     }
   }
   return sum.value();

@@ -17,6 +17,7 @@ scene::Displacement<dim> combined(const scene::Displacement<dim>& a, const scene
   scene::Displacement<dim> result = a;
   for (std::size_t i = 0; i < a.vertex.size(); ++i) result.vertex[i] = 0.5 * (a.vertex[i] + sign * b.vertex[i]);
   for (std::size_t i = 0; i < a.edge.size(); ++i) result.edge[i] = 0.5 * (a.edge[i] + sign * b.edge[i]);
+  for (std::size_t i = 0; i < a.cell.size(); ++i) result.cell[i] = 0.5 * (a.cell[i] + sign * b.cell[i]);
   return result;
 }
 template <int dim> scene::Stress<dim> combined(const scene::Stress<dim>& a, const scene::Stress<dim>& b, double sign) {

@@ -137,7 +137,7 @@ TEST_F(Faults, StandardOutputIsNeeded) {
 
 TEST_F(Faults, ADiskThatIsFullAfterTheFirstLevelLeavesTheReport) {
   const std::string run =
-      "; bracket run scene.toml --set refine.strategy=adaptive --set refine.max_levels=2"
+      "; bracket run scene.toml --set solve.degree=1 --set refine.strategy=adaptive --set refine.max_levels=2"
       " --set refine.target=1e-9";
   // In blocks of 512 bytes: the fields of the first level fit, and here those of the second do not, there the report
   // with its pictures.

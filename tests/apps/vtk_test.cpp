@@ -82,7 +82,7 @@ double sum(const std::vector<double>& values) {
 TEST_F(Vtk, EveryArrayHasItsLength) {
   Plot plot = run(two_blocks, "solution_0.vtu");
   ASSERT_EQ(plot.cells, 3 * 64);
-  ASSERT_EQ(plot.points, 3 * plot.cells);
+  ASSERT_EQ(plot.points, 6 * plot.cells);  // quadratic triangles
   for (const char* name : {"Points", "displacement", "stress_displacement", "stress_equilibrated"}) {
     EXPECT_EQ(plot.fields[name].components, 3) << name;
     EXPECT_EQ(plot.fields[name].values.size(), 3u * plot.points) << name;
@@ -99,7 +99,7 @@ TEST_F(Vtk, ThePartsCoverTheBodies) {
   const std::vector<double>& x = plot.fields["Points"].values;
   std::map<double, double> area;  // by body
   for (int cell = 0; cell < plot.cells; ++cell) {
-    const double* p = &x[9 * cell];
+    const double* p = &x[18 * cell];  // the corners come first
     const double twice = (p[3] - p[0]) * (p[7] - p[1]) - (p[6] - p[0]) * (p[4] - p[1]);
     EXPECT_GT(twice, 0);
     area[plot.fields["body"].values[cell]] += twice / 2;

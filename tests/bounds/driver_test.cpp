@@ -30,7 +30,7 @@ TEST(Driver, stops_at_the_target) {
 // make good.
 TEST(Driver, sides_prescribed_to_touch_have_bounds) {
   const Vector<2> lower(0.1, 0.3), upper(-0.2, 0.07);
-  for (const int degree : {1, 2})
+  for (const int degree : {1, 2, 3, 4})
     for (int angle = 0; angle < 20; ++angle) {
       auto scene = tests::two_blocks(2);
       scene.solve.degree = degree;
@@ -92,7 +92,7 @@ TEST(Driver, stops_on_request_after_a_finished_level) {
 
 TEST(Driver, intersects_its_levels_and_never_raises_the_upper_bound) {
   for (const auto strategy : {scene::Strategy::adaptive, scene::Strategy::uniform})
-    for (const int degree : {1, 2}) {
+    for (const int degree : {1, 2, 3, 4}) {
       auto scene = adaptive(0);
       scene.refine.strategy = strategy;
       scene.refine.max_cells = 3000;
@@ -161,7 +161,7 @@ TEST(Driver, scenes_without_energy_have_no_width_but_for_rounding_of_what_moves_
   scenes.push_back(unloaded(0.1));  // the gap just closes
   scenes.back().boundary["lower.bottom"] = tests::fixed(0, 0.1);
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    for (const int degree : {1, 2})
+    for (const int degree : {1, 2, 3, 4})
       for (const double young : {1.0, 2e11}) {
         scenes[i].solve.degree = degree;
         scenes[i].bodies.at("lower").material = scene::isotropic<2>(young, 0.3, scene::Plane::strain);

@@ -164,11 +164,11 @@ TEST(Results, nothing_presses_where_the_contact_is_open) {
       }
       for (auto& facet : problem.facets)
         for (int end = 0; end < 2; ++end) facet.traction[end] *= unit;
-      const auto solved = dual::solve(problem);
+      const auto solved = dual::solve(problem, 1);
       const auto pressure = contact_pressure(problem, solved.stress);
       int open = 0, pressed = 0;
       for (std::size_t j = 0; j < pressure.size(); ++j) {
-        const auto& [p0, p1] = pressure[j];
+        const double p0 = pressure[j][0], p1 = pressure[j][1];
         EXPECT_TRUE(p0 >= 0 && p1 >= 0) << p0 << " " << p1;
         if (solved.closed[j]) {
           pressed += p0 > 0 || p1 > 0;
@@ -201,7 +201,7 @@ TEST(Results, the_fields_are_found_at_every_point) {
   for (const auto& cell : mesh.cells) {
     const auto at = [&](int k) -> Vector<2> { return mesh.vertices[cell[k % 3]]; };
     const Vector<2> centroid = (at(0) + at(1) + at(2)) / 3;
-    auto& corners = stress.cell.emplace_back();
+    auto& corners = stress.cell.emplace_back(9);
     for (int k = 0; k < 3; ++k) {
       corners[3 * k] = linear(at(k + 1));
       corners[3 * k + 1] = linear(at(k + 2));

@@ -203,7 +203,7 @@ TEST_P(Compared, formulations_approach_each_other) {
 // Which rows are expected to be closed decides how soon the solution is found, not which.
 TEST(Guess, does_not_change_the_solution) {
   const auto problem = tests::problem(tests::two_blocks(6));
-  const auto stresses = dual::solve(problem);
+  const auto stresses = dual::solve(problem, 1);
   ASSERT_EQ(stresses.termination, contact::Termination::solved) << stresses.reason;
   const auto none = std::vector<char>(problem.contact.size(), 0);
   auto one = none, wrong = stresses.closed;
@@ -211,7 +211,7 @@ TEST(Guess, does_not_change_the_solution) {
   for (char& closed : wrong) closed = !closed;
   const double s = bounds::complementary_energy(problem, stresses.stress);
   for (const auto& guess : {none, one, wrong, stresses.closed}) {
-    const auto other = dual::solve(problem, guess);
+    const auto other = dual::solve(problem, 1, guess);
     ASSERT_EQ(other.termination, contact::Termination::solved) << other.reason;
     EXPECT_EQ(other.closed, stresses.closed);
     EXPECT_NEAR(bounds::complementary_energy(problem, other.stress), s, 1e-12 * std::abs(s));

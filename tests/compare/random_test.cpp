@@ -43,11 +43,11 @@ TEST(RandomScenes, press_nowhere_but_on_closed_rows) {
   for (const std::uint64_t seed : {6, 15, 16, 37, 58, 150, 169, 226, 294, 400}) {
     const RandomScene random = random_scene(seed);
     const auto problem = bounds::balanced(scene::fix_data(random.scene, random.mesh), 2);
-    const auto solved = dual::solve(problem);
+    const auto solved = dual::solve(problem, 1);
     const auto pressure = bounds::contact_pressure(problem, solved.stress);
     for (std::size_t j = 0; j < pressure.size(); ++j)
       if (!solved.closed[j]) {
-        EXPECT_EQ(pressure[j], (std::array<double, 2>{0, 0})) << random.text;
+        EXPECT_EQ(pressure[j], (std::vector<double>{0, 0})) << random.text;
       }
   }
 }

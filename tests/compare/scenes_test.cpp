@@ -11,7 +11,7 @@ class EveryScene : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(EveryScene, bounds_hold_with_both_degrees) {
   std::array<bounds::Bracket, 2> brackets;
-  for (const int degree : {1, 2}) {
+  for (const int degree : {1, 2, 3, 4}) {
     const auto scene = scene::read_scene<2>(
         GetParam(), {"solve.degree=" + std::to_string(degree), "refine.strategy=none", "refine.target=0"});
     const auto outcome = bounds::run(scene);

@@ -6,10 +6,7 @@
 namespace bracket::tests {
 
 inline scene::Stress<2> no_stress(const scene::Problem<2>& problem) {
-  scene::Stress<2> stress;
-  stress.cell.resize(problem.mesh.cells.size());
-  for (auto& cell : stress.cell) cell.fill(scene::Voigt<2>::Zero());
-  return stress;
+  return {1, {problem.mesh.cells.size(), std::vector<scene::Voigt<2>>(9, scene::Voigt<2>::Zero())}};
 }
 
 /// ‖a − b‖ in the norm of the complementary energy, √∫ (a − b) : C⁻¹ (a − b): exact at midpoints of edges.

@@ -56,7 +56,7 @@ TEST(Uzawa, particular_stress_balances_the_data) {
 TEST(Uzawa, finds_the_stress_of_the_hybrid_method) {
   // Its iteration ends where the estimated error is 1e-9 of the stress; the estimate is given a factor of ten.
   for (const auto& [name, problem] : cases()) {
-    const auto hybrid = dual::solve(problem);
+    const auto hybrid = dual::solve(problem, 1);
     const auto uzawa = dual::uzawa(problem, bounds::particular_stress(problem));
     ASSERT_EQ(uzawa.termination, contact::Termination::solved) << name << ": " << uzawa.reason;
     EXPECT_EQ(uzawa.statistics.unknowns, hybrid.statistics.unknowns) << name;
@@ -77,8 +77,8 @@ TEST(Uzawa, finds_the_stress_of_the_hybrid_method) {
 }
 
 dual::UzawaSystem system_of(const scene::Problem<2>& problem, const scene::Stress<2>& particular) {
-  const dual::Layout layout = dual::lay_out(problem);
-  return dual::uzawa_system(problem, layout, dual::make_cells(problem, layout), particular);
+  const dual::Layout layout = dual::lay_out(problem, 1);
+  return dual::uzawa_system(problem, layout, dual::make_cells<1>(problem, layout), particular);
 }
 
 TEST(Uzawa, constraints_are_scaled_and_the_step_lies_below_two_by_the_largest_eigenvalue) {

@@ -48,17 +48,17 @@ double aspect(const Triangle& t) {
   return longest / std::abs(outward(t, 0).dot(t[1] - t[0]));
 }
 
-ModeVector random_amplitudes(unsigned seed) {
+ModeVector<1> random_amplitudes(unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  return ModeVector::NullaryExpr([&] { return uniform(generator); });
+  return ModeVector<1>::NullaryExpr([&] { return uniform(generator); });
 }
 
 /// The three rigid motions as edge displacements.
-Eigen::Matrix<double, n_loads, 3> rigid(const Triangle& t) {
+Eigen::Matrix<double, n_loads(1), 3> rigid(const Triangle& t) {
   const Vector<2> centre = (t[0] + t[1] + t[2]) / 3;
   const double size = (t[1] - t[0]).norm() + (t[2] - t[0]).norm();
-  Eigen::Matrix<double, n_loads, 3> motions;
+  Eigen::Matrix<double, n_loads(1), 3> motions;
   for (int e = 0; e < 3; ++e)
     for (int i = 0; i < 2; ++i) {
       const Vector<2> arm = (t[(e + 1 + i) % 3] - centre) / size;
@@ -76,10 +76,10 @@ double largest(const Corners& stress) {
 TEST(BlockElement, reference_modes_are_exact) {
   // Integers: the tractions at the ends of the outer edges give the loads, and those of inner edges agree, to the last
   // bit.
-  const ReferenceBlock& reference = reference_block();
+  const ReferenceBlock<1>& reference = reference_block<1>();
   const Triangle t = {Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0, 1)},
                  tripled = {Vector<2>(0, 0), Vector<2>(3, 0), Vector<2>(0, 3)};
-  for (int m = 0; m < n_modes; ++m) {
+  for (int m = 0; m < n_modes(1); ++m) {
     const Corners& s = reference.modes[m];
     for (int e = 0; e < 3; ++e) {
       const Vector<2> n = outward(t, e), a = traction(s[3 * e], n), b = traction(s[3 * e + 1], n);
@@ -95,12 +95,12 @@ TEST(BlockElement, reference_modes_are_exact) {
 
 TEST(BlockElement, stiffness_has_rank_nine_and_only_rigid_motions_in_its_kernel) {
   for (const Triangle& t : triangles()) {
-    const BlockElement block = block_element(t, compliance());
-    const auto half = half_stiffness(block.compliance.llt(), block.loads);
-    const CellMatrix k = half.transpose() * half;
+    const BlockElement<1> block = block_element<1>(t, compliance());
+    const auto half = half_stiffness<1>(block.compliance.llt(), block.loads);
+    const CellMatrix<1> k = half.transpose() * half;
     EXPECT_LT((k * rigid(t)).norm(), 1e-10 * k.norm());
     // Rows and columns scaled to a unit diagonal, so that the rank does not hide behind the shape of the cell.
-    const LoadVector scale = k.diagonal().cwiseSqrt().cwiseInverse();
+    const LoadVector<1> scale = k.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd scaled = scale.asDiagonal() * k * scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
     const Eigen::VectorXd& values = eigen.eigenvalues();
@@ -111,7 +111,7 @@ TEST(BlockElement, stiffness_has_rank_nine_and_only_rigid_motions_in_its_kernel)
 
 TEST(BlockElement, each_equilibrated_linear_side_load_has_exactly_one_stress) {  // [HH81, Theorem 2.1]
   for (const Triangle& t : triangles()) {
-    const BlockElement block = block_element(t, compliance());
+    const BlockElement<1> block = block_element<1>(t, compliance());
     const Eigen::MatrixXd products = block.loads.transpose() * block.loads;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products, Eigen::EigenvaluesOnly);
     EXPECT_GT(eigen.eigenvalues()[0], 1e-12 * eigen.eigenvalues()[8]);  // one at most
@@ -122,7 +122,7 @@ TEST(BlockElement, each_equilibrated_linear_side_load_has_exactly_one_stress) { 
 
 TEST(BlockElement, modes_have_no_divergence_and_continuous_tractions) {
   for (const Triangle& t : triangles()) {
-    const Corners s = stress_at_corners(block_element(t, compliance()).piola, random_amplitudes(7));
+    const Corners s = block_stress<1>(block_element<1>(t, compliance()).piola, random_amplitudes(7));
     const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
     for (int k = 0; k < 3; ++k) {
       // The tractions on a closed curve balance where the divergence vanishes: over each part, linear fields.
@@ -149,15 +149,15 @@ TEST(BlockElement, contains_all_divergence_free_linear_stresses) {
     return Voigt<2>(1 + 2 * x[0] - x[1], -3 + x[0] + 4 * x[1], 2 - 4 * x[0] - 2 * x[1]);
   };
   for (const Triangle& t : {triangles()[0], triangles()[1], triangles()[2]}) {
-    const BlockElement block = block_element(t, compliance());
-    LoadVector loads;
+    const BlockElement<1> block = block_element<1>(t, compliance());
+    LoadVector<1> loads;
     for (int e = 0; e < 3; ++e) {
       const Vector<2> n = outward(t, e), a = traction(field(t[(e + 1) % 3]), n), b = traction(field(t[(e + 2) % 3]), n);
       loads.segment<4>(4 * e) << (2 * a + b) / 6, (a + 2 * b) / 6;
     }
-    const ModeVector amplitudes = Eigen::MatrixXd(block.loads).colPivHouseholderQr().solve(Eigen::VectorXd(loads));
+    const ModeVector<1> amplitudes = Eigen::MatrixXd(block.loads).colPivHouseholderQr().solve(Eigen::VectorXd(loads));
     EXPECT_LT((block.loads * amplitudes - loads).norm(), 1e2 * eps * loads.norm());
-    const Corners s = stress_at_corners(block.piola, amplitudes);
+    const Corners s = block_stress<1>(block.piola, amplitudes);
     const Vector<2> centroid = (t[0] + t[1] + t[2]) / 3;
     for (int k = 0; k < 3; ++k) {
       const Triangle part = {t[(k + 1) % 3], t[(k + 2) % 3], centroid};
@@ -174,11 +174,11 @@ TEST(BlockElement, affine_maps_carry_modes_loads_and_compliance) {
   if (b.determinant() < 0) b.col(0) *= -1;
   const Triangle t = triangles()[1];
   const Triangle mapped = {b * t[0], b * t[1], b * t[2]};
-  const BlockElement from = block_element(t, compliance()), to = block_element(mapped, compliance());
-  for (int r = 0; r < n_loads; r += 2)
+  const BlockElement<1> from = block_element<1>(t, compliance()), to = block_element<1>(mapped, compliance());
+  for (int r = 0; r < n_loads(1); r += 2)
     EXPECT_LT((to.loads.middleRows<2>(r) - b * from.loads.middleRows<2>(r)).norm(), 1e2 * eps * to.loads.norm());
-  const Corners s = stress_at_corners(from.piola, random_amplitudes(3)),
-                image = stress_at_corners(to.piola, random_amplitudes(3));
+  const Corners s = block_stress<1>(from.piola, random_amplitudes(3)),
+                image = block_stress<1>(to.piola, random_amplitudes(3));
   for (int c = 0; c < 9; ++c) {
     Eigen::Matrix2d full;
     full << s[c][0], s[c][2], s[c][2], s[c][1];
@@ -189,9 +189,9 @@ TEST(BlockElement, affine_maps_carry_modes_loads_and_compliance) {
 
 TEST(BlockElement, compliance_is_the_energy_of_its_stresses) {
   for (const Triangle& t : triangles()) {
-    const BlockElement block = block_element(t, compliance());
-    const ModeVector amplitudes = random_amplitudes(11);
-    const Corners s = stress_at_corners(block.piola, amplitudes);
+    const BlockElement<1> block = block_element<1>(t, compliance());
+    const ModeVector<1> amplitudes = random_amplitudes(11);
+    const Corners s = block_stress<1>(block.piola, amplitudes);
     const double area = std::abs(outward(t, 0).dot(t[1] - t[0])) / 2;
     double energy = 0;
     for (int k = 0; k < 3; ++k)  // midpoints of the edges: exact for quadratics
@@ -206,15 +206,15 @@ TEST(BlockElement, compliance_is_the_energy_of_its_stresses) {
 TEST(BlockElement, particular_field_carries_the_body_force) {
   const Vector<2> force(0.7, -2);
   for (const Triangle& t : triangles()) {
-    const BlockElement block = block_element(t, compliance());
-    const Particular field = particular(t, block.piola, compliance(), force);
+    const BlockElement<1> block = block_element<1>(t, compliance());
+    const Particular<1> field = particular<1>(t, block.piola, compliance(), force);
     const double area = std::abs(outward(t, 0).dot(t[1] - t[0])) / 2;
     Vector<2> resultant = Vector<2>::Zero();
-    for (int r = 0; r < n_loads; r += 2) resultant += field.loads.segment<2>(r);
+    for (int r = 0; r < n_loads(1); r += 2) resultant += field.loads.segment<2>(r);
     EXPECT_LT((resultant + area * force).norm(), 1e2 * eps * field.loads.norm() + 1e2 * eps * area * force.norm());
     // Its coupling is the mixed term of the energy of both fields together: a quadratic form is exact at midpoints.
-    const ModeVector amplitudes = random_amplitudes(5);
-    const Corners s = stress_at_corners(block.piola, amplitudes);
+    const ModeVector<1> amplitudes = random_amplitudes(5);
+    const Corners s = block_stress<1>(block.piola, amplitudes);
     double mixed = 0, size = 0;
     for (int k = 0; k < 3; ++k)
       for (int c = 0; c < 3; ++c) {

@@ -120,15 +120,16 @@ Parameters parameters_of(const Case& c, const Corners& mode) {
   return result;
 }
 
-std::array<Parameters, n_modes> all_modes(const Case& c, const BlockElement& block) {
-  std::array<Parameters, n_modes> result;
-  for (int m = 0; m < n_modes; ++m) result[m] = parameters_of(c, stress_at_corners(block.piola, ModeVector::Unit(m)));
+std::array<Parameters, n_modes(1)> all_modes(const Case& c, const BlockElement<1>& block) {
+  std::array<Parameters, n_modes(1)> result;
+  for (int m = 0; m < n_modes(1); ++m)
+    result[m] = parameters_of(c, block_stress<1>(block.piola, ModeVector<1>::Unit(m)));
   return result;
 }
 
-BlockElement our_block(const Case& c) {
+BlockElement<1> our_block(const Case& c) {
   const auto& [young, poisson, plane_stress, reference] = c.material;
-  return block_element(
+  return block_element<1>(
       c.t,
       scene::isotropic<2>(young, poisson, plane_stress ? scene::Plane::stress : scene::Plane::strain).compliance());
 }
@@ -147,11 +148,11 @@ TEST(WatwoodHartz, modes_are_of_the_papers_form) {  // (3.1)
 
 TEST(WatwoodHartz, compliance_agrees_entry_by_entry) {  // (3.2), (3.12)
   for (const Case& c : cases()) {
-    const BlockElement block = our_block(c);
+    const BlockElement<1> block = our_block(c);
     const auto modes = all_modes(c, block);
     const auto sub = parts(c.t);
-    for (int m = 0; m < n_modes; ++m)
-      for (int n = 0; n < n_modes; ++n) {
+    for (int m = 0; m < n_modes(1); ++m)
+      for (int n = 0; n < n_modes(1); ++n) {
         double sum = 0;
         for (int k = 0; k < 3; ++k)
           sum += modes[m].part[k].dot(compliance_matrix(sub[k], c.material) * modes[n].part[k]);
@@ -163,14 +164,14 @@ TEST(WatwoodHartz, compliance_agrees_entry_by_entry) {  // (3.2), (3.12)
 
 TEST(WatwoodHartz, side_loads_agree_entry_by_entry) {  // (3.4)
   for (const Case& c : cases()) {
-    const BlockElement block = our_block(c);
+    const BlockElement<1> block = our_block(c);
     const auto modes = all_modes(c, block);
     const auto sub = parts(c.t);
-    for (int m = 0; m < n_modes; ++m)
+    for (int m = 0; m < n_modes(1); ++m)
       for (int e = 0; e < 3; ++e) {
         const double length = (c.t[(e + 2) % 3] - c.t[(e + 1) % 3]).norm();
         const Eigen::Vector4d s = length * side_matrix(sub[e], c.material, 1) * modes[m].part[e];
-        LoadVector loads = LoadVector::Zero();  // ∫ φ (a + b p) = length (a ∓ b/3) / 2
+        LoadVector<1> loads = LoadVector<1>::Zero();  // ∫ φ (a + b p) = length (a ∓ b/3) / 2
         loads.segment<4>(4 * e) << s[0] / 2 - s[1] / 6, s[2] / 2 - s[3] / 6, s[0] / 2 + s[1] / 6, s[2] / 2 + s[3] / 6;
         const double size = block.loads.col(m).norm();
         for (int row = 4 * e; row < 4 * e + 4; ++row)
@@ -191,8 +192,8 @@ TEST(WatwoodHartz, our_nine_modes_are_all_that_internal_continuity_leaves) {  //
       internal.block<4, 7>(4 * k, 7 * next) = flip.asDiagonal() * side_matrix(sub[next], c.material, 0);
     }
     const auto modes = all_modes(c, our_block(c));
-    Eigen::Matrix<double, 21, n_modes> ours;
-    for (int m = 0; m < n_modes; ++m) ours.col(m) << modes[m].part[0], modes[m].part[1], modes[m].part[2];
+    Eigen::Matrix<double, 21, n_modes(1)> ours;
+    for (int m = 0; m < n_modes(1); ++m) ours.col(m) << modes[m].part[0], modes[m].part[1], modes[m].part[2];
     const double size = internal.norm() * ours.norm();
     EXPECT_LT((internal * ours).norm(), 1e2 * eps * aspect(c.t) * size);
     for (const Eigen::MatrixXd& products : {Eigen::MatrixXd(internal * internal.transpose()),  // 21 − 12 = 9

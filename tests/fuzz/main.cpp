@@ -38,8 +38,8 @@ std::string read_mesh(const std::filesystem::path& file, std::uint64_t seed) {
 /// A displacement of two blocks of two triangles each.
 std::string read_displacement(const std::filesystem::path& file, std::uint64_t) {
   static const bracket::scene::Mesh<2> mesh = build_mesh(bracket::tests::two_blocks(1));
-  const auto [degree, vertex, edge] = read_field(file, mesh).displacement;
-  if (vertex.size() != mesh.vertices.size() || edge.size() != (degree == 2 ? mesh.edges.size() : 0))
+  const auto [degree, vertex, edge, cell] = read_field(file, mesh).displacement;
+  if (vertex.size() != mesh.vertices.size() || edge.size() != (degree == 2 ? mesh.edges.size() : 0) || !cell.empty())
     return "nodes without values";
   for (const auto* values : {&vertex, &edge})
     for (const auto& u : *values)

@@ -5,6 +5,7 @@
 
 #include "primal/elasticity.h"
 #include "primal/nodes.h"
+#include "scene/offsets.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::primal {
@@ -14,15 +15,16 @@ using scene::Vector;
 
 TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_exact) {
   const auto problem = tests::problem(tests::patch(3, 0.3, 0.01, 2));
-  for (const int degree : {1, 2})
+  for (const int degree : {1, 2, 3, 4})
     for_each_cell<2>(problem, 0, degree, [&](int cell, const Eigen::MatrixXd& k) {
       const auto& mesh = problem.mesh;
       const auto& v = mesh.cells[cell];
-      const int n = nodes_per_cell<2>(degree);
+      const int n = scene::n_bernstein(degree);
+      const auto indices = scene::bernstein_indices(degree);
       Eigen::MatrixXd fields(2 * n, 6);  // 1, 1, turn, and three uniform strains
       for (int i = 0; i < n; ++i) {
-        Vector<2> x = mesh.vertices[v[i % 3]];
-        if (i >= 3) x = (mesh.vertices[v[(i + 1) % 3]] + mesh.vertices[v[(i + 2) % 3]]) / 2;
+        Vector<2> x = Vector<2>::Zero();  // a linear field's coefficients are its values there
+        for (int corner = 0; corner < 3; ++corner) x += indices[i][corner] * mesh.vertices[v[corner]] / degree;
         fields.middleRows<2>(2 * i) << 1, 0, -x[1], x[0], 0, x[1] / 2, 0, 1, x[0], 0, x[1], x[0] / 2;
       }
       const Eigen::MatrixXd energy = fields.transpose() * k * fields;
@@ -33,9 +35,9 @@ TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_
     });
 }
 
-TEST(Displacements, patch_is_exact_for_both_degrees) {
+TEST(Displacements, patch_is_exact_for_all_degrees) {
   const auto problem = tests::problem(tests::patch(1e6, 0.3, 0.01, 3));
-  for (const int degree : {1, 2}) {
+  for (const int degree : {1, 2, 3, 4}) {
     const auto result = solve(problem, degree);
     ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v)
@@ -52,7 +54,7 @@ TEST(Displacements, vertex_with_two_sliding_normals_has_both_displacements) {
   auto mesh = scene::build_mesh(scene);
   for (Vector<2>& x : mesh.vertices) x[0] += 0.6 * x[1];
   const auto problem = scene::fix_data(scene, mesh);
-  for (const int degree : {1, 2}) {
+  for (const int degree : {1, 2, 3, 4}) {
     const auto result = solve(problem, degree);
     ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     int ends = 0;
@@ -132,11 +134,11 @@ TEST(ContactRows, what_is_prescribed_is_refused_at_its_place_without_a_solve) {
     }
     return "";
   };
-  for (const int degree : {1, 2}) {
+  for (const int degree : {1, 2, 3, 4}) {
     EXPECT_NE(refusal(degree).find("by up to 0.005 more than it has at (1, 0)"), std::string::npos) << refusal(degree);
   }
   scene.contact[0].gap = tests::constant(0.01);
-  for (const int degree : {1, 2}) EXPECT_EQ(refusal(degree), "");
+  for (const int degree : {1, 2, 3, 4}) EXPECT_EQ(refusal(degree), "");
   // Both ends of a facet held: a line between them meets the wall in the middle, a parabola need not.
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
   scene.contact[0].gap = scene::enclosed<2>([](const auto& x) { return 0.01 - x[0] * (1 - x[0]); });
@@ -154,7 +156,7 @@ TEST(Displacements, a_body_that_is_not_held_in_floating_point_is_named) {
   EXPECT_NE(result.reason.find("'slab'"), std::string::npos) << result.reason;
 }
 
-TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
+TEST(ContactRows, inner_rows_bound_a_polynomial_between_the_nodes) {
   // A gap that is closed at the ends of one facet and negative between: nodes alone would see no contact.
   scene::Scene<2> scene;
   scene.blocks = {tests::block("b", 0, 1, 0, 1, 1, 1)};
@@ -162,15 +164,17 @@ TEST(ContactRows, middle_row_bounds_a_quadratic_between_the_nodes) {
   scene.contact = {{"b.bottom", "rigid", scene::enclosed<2>([](const auto& x) { return -x[0] * (1 - x[0]); }), ""}};
   scene.boundary = {{"b.top", tests::fixed(0, 0)}};
   const auto problem = tests::problem(scene);
-  for (const int degree : {1, 2}) {
+  for (const int degree : {1, 2, 3, 4}) {
     const auto result = solve(problem, degree);
     ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
     const auto& facet = problem.mesh.boundary[problem.contact[0].first];
     const double a = result.displacement.vertex[facet.vertices[0]][1],
                  b = result.displacement.vertex[facet.vertices[1]][1];
-    const double middle = degree == 2 ? result.displacement.edge[facet.edge][1] : (a + b) / 2;
+    std::vector<double> offset;
+    for (const auto& w : scene::offsets_on_facet(problem.mesh, result.displacement, problem.contact[0].first))
+      offset.push_back(w[1]);
     for (const double s : {0.0, 0.1, 0.3, 0.5, 0.8, 1.0}) {
-      const double u = (1 - s) * (1 - 2 * s) * a + s * (2 * s - 1) * b + 4 * s * (1 - s) * middle;
+      const double u = (1 - s) * a + s * b + scene::value_on_segment(offset, s);
       EXPECT_GE(u, s * (1 - s) - 1e-12) << "degree " << degree << " at " << s;  // −u ≤ g
     }
   }

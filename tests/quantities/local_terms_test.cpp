@@ -28,7 +28,7 @@ TEST(LocalTerms, add_up_to_the_width) {
   const auto scene = two_blocks(6);
   const auto problem = bounds::balanced(tests::problem(scene), 2);
   const auto displacements = std::make_shared<const primal::Solver<2>>(problem, 2);
-  const auto stresses = std::make_shared<const dual::Solver<2>>(problem);
+  const auto stresses = std::make_shared<const dual::Solver<2>>(problem, 1);
   const auto u = displacements->solve(problem);
   const auto lambda = stresses->solve(problem);
   const auto certificate = bounds::certify(problem, u.displacement, lambda.stress);

@@ -113,7 +113,7 @@ TEST(BadScene, IsRefusedWithItsPlace) {
       {"max_cells = 1000", "max_cells = 0", {"refine.max_cells"}},
       {"max_cells = 1000", "max_cels = 1000", {"'max_cels'", "'max_cells'"}},
       {"max_seconds = 60", "max_seconds = 0", {"refine.max_seconds"}},
-      {"degree = 1", "degree = 3", {"solve.degree must be 1 or 2"}},
+      {"degree = 1", "degree = 5", {"solve.degree must be from 1 to 4"}},
       {"degree = 1", "degree = 0", {"solve.degree"}},
       {"\"hybrid\"", "\"hybird\"", {"unknown", "'hybrid'"}},
       {"[solve]", "[solv]", {":38:", "'solv'", "'solve'"}},

@@ -95,7 +95,12 @@ std::vector<Wrong> of_the_rest() {
 
 std::vector<Wrong> of_settings() {
   return {
-      {[](auto& s) { s.solve.degree = 3; }, {"solve.degree must be 1 or 2, is 3"}},
+      {[](auto& s) { s.solve.degree = 5; }, {"solve.degree must be from 1 to 4, is 5"}},
+      {[](auto& s) {
+         s.solve.degree = 3;
+         s.solve.dual = Dual::uzawa;
+       },
+       {"solve.dual = \"uzawa\"", "solve.degree is 3", "\"hybrid\""}},
       {[](auto& s) { s.solve.degree = 0; }, {"solve.degree"}},
       {[](auto& s) { s.refine.bulk = -3; }, {"refine.bulk must lie in (0, 1], is -3"}},
       {[](auto& s) { s.refine.bulk = 0; }, {"refine.bulk"}},
@@ -160,7 +165,7 @@ TEST(Check, NamesThePlace) {
   scene.blocks[1].cells[0] = 0;
   expect_refused([&] { check(scene); }, {"here: mesh.block.cells"});
   scene = right();
-  scene.solve.degree = 3;
+  scene.solve.degree = 5;
   expect_refused([&] { check(scene); }, {"the scene: solve.degree"});
 }
 

@@ -58,7 +58,7 @@ Fields solutions(const scene::Problem<2>& problem, const std::shared_ptr<const s
   Fields fields;
   for (const double a : {0.0, 1.0, -1.0}) {
     const auto u = primal::solve(scene::perturbed(problem, by, a * f, f), 2);
-    const auto lambda = dual::solve(scene::perturbed(problem, by, f, a * f));
+    const auto lambda = dual::solve(scene::perturbed(problem, by, f, a * f), 1);
     if (u.reason.empty()) fields.displacement.push_back(u.displacement);
     if (lambda.reason.empty()) fields.stress.push_back(lambda.stress);
   }

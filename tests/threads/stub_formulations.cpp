@@ -62,13 +62,12 @@ template class Solver<2>;
 namespace dual {
 
 template <int dim> struct Solver<dim>::Factorised {};
-template <int dim> Solver<dim>::Solver(const scene::Problem<dim>&) {}
+template <int dim> Solver<dim>::Solver(const scene::Problem<dim>&, int) {}
 
 template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&) const {
   Result<dim> result;
-  std::array<scene::Voigt<dim>, 9> cell;
-  cell.fill({0, strain(problem) / problem.bodies[0].material.compliance()(1, 1), 0});
-  result.stress.cell.assign(problem.mesh.cells.size(), cell);
+  const scene::Voigt<dim> uniform(0, strain(problem) / problem.bodies[0].material.compliance()(1, 1), 0);
+  result.stress.cell.assign(problem.mesh.cells.size(), std::vector<scene::Voigt<dim>>(9, uniform));
   result.closed.assign(problem.contact.size(), 1);
   return result;
 }

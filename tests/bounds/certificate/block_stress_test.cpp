@@ -164,9 +164,9 @@ TEST(BlockStress, is_that_of_the_block_elements_of_the_solver) {
   Random random(5);
   const auto compliance = scene::isotropic<2>(2, 0.3, scene::Plane::strain).compliance();
   for (const auto& t : triangles()) {
-    const auto element = dual::block_element(t, compliance);
-    const dual::ModeVector amplitudes = dual::ModeVector::NullaryExpr([&] { return random(); });
-    const dual::Corners solver = dual::stress_at_corners(element.piola, amplitudes);
+    const auto element = dual::block_element<1>(t, compliance);
+    const dual::ModeVector<1> amplitudes = dual::ModeVector<1>::NullaryExpr([&] { return random(); });
+    const dual::Corners solver = dual::block_stress<1>(element.piola, amplitudes);
     const auto x = seen_from_first<double>(t);
     Loads<double> load;
     const auto at = [&](int i, int k) -> const scene::Voigt<2>& { return solver[3 * ((i + 2) % 3) + k]; };

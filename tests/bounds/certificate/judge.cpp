@@ -8,22 +8,34 @@ namespace bracket::bounds {
 
 using scene::Support;
 
+namespace {
+
+/// n! / (i! j! k!) of a Bernstein polynomial.
+Exact trinomial(const std::array<int, 3>& i) {
+  return Exact(scene::binomial(i[0] + i[1] + i[2], i[0]) * scene::binomial(i[1] + i[2], i[1]));
+}
+
+}  // namespace
+
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field) {
   const auto& mesh = problem.mesh;
-  const auto supports = vertex_supports(problem);
+  const MovedField<Exact> all = moved<Exact>(problem, vertex_supports(problem), field);
+  const auto indices = scene::bernstein_indices(field.degree);
   ExactDisplacement u;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    u.vertex.push_back(vector2<Exact>(field.vertex[v]) + shift<Exact>(supports[v], field.vertex[v]));
-  for (const auto& [a, b] : mesh.edges) u.edge.push_back(half * (u.vertex[a] + u.vertex[b]));
-  if (field.bubble.empty()) return u;
-  std::vector<Point> bubbles;
-  for (const auto& w : field.bubble) bubbles.push_back(vector2<Exact>(w));
-  for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support == Support::sliding) {
-      Point& w = bubbles[mesh.boundary[f].edge];
-      w = w + onto(w, problem.facets[f].normal, Exact(0));
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    std::array<Point, 3> at;
+    for (int k = 0; k < 3; ++k) {
+      const int v = mesh.cells[c][k];
+      at[k] = vector2<Exact>(field.vertex[v]) + all.shifts[v];
     }
-  for (std::size_t e = 0; e < bubbles.size(); ++e) u.edge[e] = u.edge[e] + bubbles[e];
+    Field own = {Polynomial::linear({at[0].x, at[1].x, at[2].x}), Polynomial::linear({at[0].y, at[1].y, at[2].y})};
+    const auto offset = scene::on_cell(mesh, field.degree, all.offsets.edge, all.offsets.cell, static_cast<int>(c));
+    for (std::size_t i = 0; i < offset.size(); ++i) {
+      own[0] = own[0] + Polynomial::monomial(3, indices[i], trinomial(indices[i]) * offset[i].x);
+      own[1] = own[1] + Polynomial::monomial(3, indices[i], trinomial(indices[i]) * offset[i].y);
+    }
+    u.cell.push_back(own);
+  }
   return u;
 }
 
@@ -32,75 +44,105 @@ ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact
   const auto& mesh = problem.mesh;
   ExactStress stress;
   stress.added = added;
+  const auto indices = scene::bernstein_indices(loads.degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     LoadedCell<Exact> cell = loaded_cell(problem, loads, static_cast<int>(c));
     const Point force = vector2<Exact>(problem.bodies[mesh.cell_body[c]].force);
     // −(F_x y, F_y x) as shear stress and its like: −(0, 0, F_x y + F_y x) has the divergence −F.
-    const auto carried = [&](const Point& x) {
-      return ExactVoigt{Exact(0), Exact(0), -(force.x * x.y + force.y * x.x)};
-    };
+    const auto carried = [&](const Point& x) { return -(force.x * x.y + force.y * x.x); };
     for (int i = 0; i < 3; ++i) {
       const Point n = outward(cell.x[(i + 1) % 3] - cell.x[i]);
-      for (int end = 0; end < 2; ++end)
-        cell.load[i][end] = cell.load[i][end] - on_normal(carried(cell.x[(i + end) % 3]), n);
+      for (int end = 0; end < 2; ++end) {
+        const Exact shear = carried(cell.x[(i + end) % 3]);
+        cell.load[i][end] = cell.load[i][end] - Point{shear * n.y, shear * n.x};
+      }
     }
-    auto parts = stress_of_balanced(cell.x, cell.load);
+    const auto linear = stress_of_balanced(cell.x, cell.load);
+    const Point centroid = third * (cell.x[0] + cell.x[1] + cell.x[2]);
+    std::array<StressField, 3> parts;
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) parts[i][k] = sum(parts[i][k], carried(at(cell.x, part_corners(i)[k])), Exact(1));
+      for (int k = 0; k < 3; ++k) {
+        parts[i][k] = Polynomial::linear({linear[i][0][k], linear[i][1][k], linear[i][2][k]});
+        if (k == 2)
+          parts[i][k] =
+              parts[i][k] + Polynomial::linear({carried(cell.x[i]), carried(cell.x[(i + 1) % 3]), carried(centroid)});
+      }
+    if (loads.degree > 1) {
+      const auto higher = stress_of_higher(loads.degree, cell.x, higher_on(cell, loads), loads.bubbles[c]);
+      for (int i = 0; i < 3; ++i)
+        for (std::size_t place = 0; place < indices.size(); ++place)
+          for (int k = 0; k < 3; ++k)
+            parts[i][k] =
+                parts[i][k] + Polynomial::monomial(3, indices[place], trinomial(indices[place]) * higher[i][place][k]);
+    }
     stress.cell.push_back(parts);
   }
   return stress;
 }
 
+namespace {
+
+/// The field of a cell on its edges, from the lower vertex to the higher.
+template <class OfCell> std::vector<std::vector<Field>> on_edges(const scene::Mesh<2>& mesh, const OfCell& of_cell) {
+  std::vector<std::vector<Field>> result(mesh.edges.size());
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (int i = 0; i < 3; ++i) {
+      const int edge = mesh.cell_edges[c][(i + 2) % 3];
+      const Field own = of_cell(static_cast<int>(c), i);
+      result[edge].push_back(mesh.edges[edge][0] == mesh.cells[c][i] ? own : reversed(own));
+    }
+  return result;
+}
+
+}  // namespace
+
 std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactDisplacement& u) {
   const auto& mesh = problem.mesh;
   std::vector<std::string> result;
+  const auto edges = on_edges(mesh, [&](int c, int i) { return on_side(u.cell[c], i, (i + 1) % 3); });
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].size() == 2 && !is_zero(edges[e][0] - edges[e][1]))
+      result.push_back(fmt::format("displacements jump across edge {}", e));
   std::vector<char> fixed(mesh.vertices.size(), 0);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support != Support::fixed) continue;
-    const OnFacet on = displacement_on(mesh, u, static_cast<int>(f));
-    for (int i = 0; i < 2; ++i) {
-      fixed[mesh.boundary[f].vertices[i]] = 1;
-      if (!is_zero(on[i] - vector2<Exact>(data.displacement[i]))) result.push_back(fmt::format("fixed facet {}", f));
-    }
-    if (!is_zero(on[0] + on[1] - Exact(2) * on[2])) result.push_back(fmt::format("middle of fixed facet {}", f));
+    for (const int v : mesh.boundary[f].vertices) fixed[v] = 1;
+    const Field given = between_points(vector2<Exact>(data.displacement[0]), vector2<Exact>(data.displacement[1]));
+    if (!is_zero(displacement_on(mesh, u, static_cast<int>(f)) - given))
+      result.push_back(fmt::format("fixed facet {}", f));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support != Support::sliding) continue;
-    const OnFacet on = displacement_on(mesh, u, static_cast<int>(f));
+    const auto& [a, b] = mesh.boundary[f].vertices;
     const Point n = vector2<Exact>(data.normal);
-    for (int i = 0; i < 2; ++i)  // where a fixed facet begins, that one rules
-      if (!fixed[mesh.boundary[f].vertices[i]] && dot(on[i], n) != Exact(data.normal_displacement[i]))
-        result.push_back(fmt::format("sliding facet {}", f));
-    if (!is_zero(dot(on[0] + on[1] - Exact(2) * on[2], n)))
-      result.push_back(fmt::format("middle of sliding facet {}", f));
+    const Field on = displacement_on(mesh, u, static_cast<int>(f));
+    std::array<Exact, 2> ends = {Exact(data.normal_displacement[0]), Exact(data.normal_displacement[1])};
+    if (fixed[a]) ends[0] = dot(on, n).at_end(0);  // where a fixed facet begins, that one rules
+    if (fixed[b]) ends[1] = dot(on, n).at_end(1);
+    if (!is_zero(dot(on, n) - Polynomial::linear({ends[0], ends[1]})))
+      result.push_back(fmt::format("sliding facet {}", f));
   }
-  for (const auto& pair : problem.contact) {  // r − g is a parabola: its maximum on [0, 1]
-    const ExactVoigt r = sum(approach(problem, u, pair), gap(pair), Exact(-1));
-    const Exact bend = Exact(2) * (r[0] + r[1] - Exact(2) * r[2]), slope = r[1] - r[0] - bend;
-    Exact largest = std::max(r[0], r[1]);
-    if (bend < Exact(0) && slope > Exact(0) && slope + Exact(2) * bend < Exact(0))
-      largest = r[0] - slope * slope / (Exact(4) * bend);
-    if (largest > Exact(0)) result.push_back(fmt::format("{} into contact facet {}", rounded(largest), pair.first));
-  }
+  for (const auto& pair : problem.contact)
+    if (!(approach(problem, u, pair) - gap_of(pair.lower)).is_not_positive())
+      result.push_back(fmt::format("into contact facet {}", pair.first));
   return result;
 }
 
 namespace {
 
 /// Whether a part of a cell is in equilibrium with the body force.
-bool in_equilibrium(const std::array<ExactVoigt, 3>& s, const Corners& x, const Point& force) {
+bool in_equilibrium(const StressField& s, const Corners& x, const Point& force) {
   const std::array<Point, 3> d = gradients(x);
-  Point divergence = force;
-  for (int k = 0; k < 3; ++k) divergence = divergence + on_normal(s[k], d[k]);
+  Field divergence = {Polynomial::constant(3, force.x), Polynomial::constant(3, force.y)};
+  for (int k = 0; k < 3; ++k)
+    divergence = divergence + on_normal({s[0].derivative(k), s[1].derivative(k), s[2].derivative(k)}, d[k]);
   return is_zero(divergence);
 }
 
 void check_cells(const scene::Problem<2>& problem, const ExactStress& stress, std::vector<std::string>& result) {
   const auto& mesh = problem.mesh;
-  std::vector<std::vector<std::array<Point, 2>>> on_edge(mesh.edges.size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const Corners x = corners_of(mesh, static_cast<int>(c));
     const Point centroid = third * (x[0] + x[1] + x[2]);
@@ -110,18 +152,16 @@ void check_cells(const scene::Problem<2>& problem, const ExactStress& stress, st
       if (!in_equilibrium(s[i], {x[i], x[j], centroid}, vector2<Exact>(problem.bodies[mesh.cell_body[c]].force)))
         result.push_back(fmt::format("no equilibrium in cell {}", c));
       const Point inner = outward(centroid - x[j]);  // between the parts i and j
-      for (int k = 1; k < 3; ++k)
-        if (!is_zero(on_normal(s[i][k], inner) - on_normal(s[j][k == 1 ? 0 : 2], inner)))
-          result.push_back(fmt::format("tractions jump in cell {}", c));
-      const int edge = mesh.cell_edges[c][(i + 2) % 3];
-      const bool along = mesh.edges[edge][0] == mesh.cells[c][i];
-      const Point n = outward(x[j] - x[i]);
-      on_edge[edge].push_back({on_normal(s[i][along ? 0 : 1], n), on_normal(s[i][along ? 1 : 0], n)});
+      if (!is_zero(on_side(on_normal(s[i], inner), 1, 2) - on_side(on_normal(s[j], inner), 0, 2)))
+        result.push_back(fmt::format("tractions jump in cell {}", c));
     }
   }
-  for (std::size_t e = 0; e < on_edge.size(); ++e)
-    if (on_edge[e].size() == 2 &&
-        !(is_zero(on_edge[e][0][0] + on_edge[e][1][0]) && is_zero(on_edge[e][0][1] + on_edge[e][1][1])))
+  const auto edges = on_edges(mesh, [&](int c, int i) {
+    const Corners x = corners_of(mesh, c);
+    return on_side(on_normal(stress.cell[c][i], outward(x[(i + 1) % 3] - x[i])), 0, 1);
+  });
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].size() == 2 && !is_zero(edges[e][0] + edges[e][1]))
       result.push_back(fmt::format("tractions jump across edge {}", e));
 }
 
@@ -133,22 +173,18 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     const int facet = static_cast<int>(f);
-    const OnFacet load = load_on(problem.mesh, stress, facet), given = traction_on(problem, stress.added, facet);
-    for (int i = 0; i < 2; ++i) {
-      if (data.support == Support::traction && !is_zero(load[i] - given[i]))
-        result.push_back(fmt::format("traction on facet {}", f));
-      if ((data.support == Support::sliding || data.support == Support::contact) &&
-          !is_zero(cross(load[i], vector2<Exact>(data.normal))))
-        result.push_back(fmt::format("shear on facet {}", f));
-    }
+    const Field load = load_on(problem.mesh, stress, facet);
+    if (data.support == Support::traction && !is_zero(load - traction_on(problem, stress.added, facet)))
+      result.push_back(fmt::format("traction on facet {}", f));
+    const Point n = vector2<Exact>(data.normal);
+    if ((data.support == Support::sliding || data.support == Support::contact) && !is_zero(dot(load, turned(n))))
+      result.push_back(fmt::format("shear on facet {}", f));
   }
   for (const auto& pair : problem.contact) {
-    const OnFacet first = load_on(problem.mesh, stress, pair.first);
-    const ExactVoigt p = pressure(problem, stress, pair);
-    if (p[0] < Exact(0) || p[1] < Exact(0)) result.push_back(fmt::format("tension on facet {}", pair.first));
-    if (pair.second < 0) continue;
-    const OnFacet second = load_on(problem.mesh, stress, pair.second);
-    if (!is_zero(first[0] + second[1]) || !is_zero(first[1] + second[0]))
+    if (!(Exact(-1) * pressure(problem, stress, pair)).is_not_positive())
+      result.push_back(fmt::format("tension on facet {}", pair.first));
+    if (pair.second >= 0 &&
+        !is_zero(load_on(problem.mesh, stress, pair.first) + reversed(load_on(problem.mesh, stress, pair.second))))
       result.push_back(fmt::format("pressures differ on facet {}", pair.first));
   }
   return result;

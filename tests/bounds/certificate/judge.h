@@ -3,25 +3,27 @@
 
 #include "bounds/bounds.h"
 #include "bounds/certificate/equilibrate.h"
-#include "tests/bounds/certificate/rational.h"
+#include "tests/bounds/certificate/polynomial.h"
 
 /// The judge of the certificate: fields as rational numbers, whether they are admissible, and their energies, from the
-/// definitions [HH81 (1.2), (1.11), (1.13)] by quadrature that is exact for them. It shares vectors of the plane with
-/// the certificate, and no formula.
+/// definitions [HH81 (1.2), (1.11), (1.13)] by products and integrals of polynomials. It shares vectors of the
+/// plane with the certificate and asks it what its numbers stand for; what these fields are it finds by itself.
 namespace bracket::bounds {
 
-/// A field that is quadratic on each cell.
+/// A vector or a stress whose components are polynomials.
+using Field = std::array<Polynomial, 2>;
+using StressField = std::array<Polynomial, 3>;  ///< xx, yy, xy; strains: twice xy
+
+/// Of each cell, in its barycentric coordinates.
 struct ExactDisplacement {
-  std::vector<Vector2<Exact>> vertex;  ///< at Mesh::vertices
-  std::vector<Vector2<Exact>> edge;    ///< at the midpoints of Mesh::edges
+  std::vector<Field> cell;
 };
 /// The field that the certificate's numbers stand for.
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field);
 
-using ExactVoigt = std::array<Exact, 3>;  ///< xx, yy, xy; strains: twice xy
 struct ExactStress {
-  /// As BlockStress: at the corners i, i + 1 and the centroid of the part at the side i → i + 1 of each cell.
-  std::vector<std::array<std::array<ExactVoigt, 3>, 3>> cell;
+  /// On the part at the side i → i + 1 of each cell, in the part's barycentric coordinates: i, i + 1, centroid.
+  std::vector<std::array<StressField, 3>> cell;
   std::vector<Corrected<Exact>> added;  ///< corrections of the loads
 };
 /// The block elements' stresses of balanced loads. What carries the body force differs from the certificate's choice by

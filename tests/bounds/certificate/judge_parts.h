@@ -32,54 +32,56 @@ inline std::array<Point, 3> gradients(const Corners& x) {
   return result;
 }
 
-/// Corners of the part at side i → i + 1, in barycentric coordinates of the cell.
-inline std::array<ExactVoigt, 3> part_corners(int i) {
-  std::array<ExactVoigt, 3> result;
-  result[0][i] = result[1][(i + 1) % 3] = Exact(1);
-  result[2] = {third, third, third};
+/// The coordinates of a cell as functions of those of its part at side i → i + 1.
+inline std::array<Polynomial, 3> coordinates_on_part(int i) {
+  std::array<Polynomial, 3> result;
+  for (int k = 0; k < 3; ++k)
+    result[k] = Polynomial::linear({Exact(k == i ? 1 : 0), Exact(k == (i + 1) % 3 ? 1 : 0), third});
   return result;
 }
 
-inline Point at(const Corners& x, const ExactVoigt& barycentric) {
-  return barycentric[0] * x[0] + barycentric[1] * x[1] + barycentric[2] * x[2];
-}
-
-inline ExactVoigt sum(const ExactVoigt& a, const ExactVoigt& b, const Exact& factor) {
+inline StressField sum(const StressField& a, const StressField& b, const Exact& factor) {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
 /// σ (n ds)
-inline Point on_normal(const ExactVoigt& s, const Point& n) {
-  return {s[0] * n.x + s[2] * n.y, s[2] * n.x + s[1] * n.y};
+inline Field on_normal(const StressField& s, const Point& n) {
+  return {n.x * s[0] + n.y * s[2], n.x * s[2] + n.y * s[1]};
 }
 
 /// Outward normal of a side of a body to its left, as long as the side.
 inline Point outward(const Point& side) { return -turned(side); }
 
-/// A field on a facet: at its vertices 0 and 1 and in the middle.
-using OnFacet = std::array<Point, 3>;
-
-inline OnFacet displacement_on(const scene::Mesh<2>& mesh, const ExactDisplacement& u, int facet) {
-  const auto& [a, b] = mesh.boundary[facet].vertices;
-  return {u.vertex[a], u.vertex[b], u.edge[mesh.boundary[facet].edge]};
+inline Polynomial dot(const Field& a, const Point& b) { return b.x * a[0] + b.y * a[1]; }
+inline Polynomial dot(const Field& a, const Field& b) { return a[0] * b[0] + a[1] * b[1]; }
+inline Field operator-(const Field& a, const Field& b) { return {a[0] - b[0], a[1] - b[1]}; }
+inline Field operator+(const Field& a, const Field& b) { return {a[0] + b[0], a[1] + b[1]}; }
+inline bool is_zero(const Field& a) { return a[0].is_zero() && a[1].is_zero(); }
+inline Field on_side(const Field& a, int i, int j) { return {a[0].on_side(i, j), a[1].on_side(i, j)}; }
+inline Field reversed(const Field& a) { return {a[0].reversed(), a[1].reversed()}; }
+inline Field between_points(const Point& a, const Point& b) {
+  return {Polynomial::linear({a.x, b.x}), Polynomial::linear({a.y, b.y})};
 }
 
-/// λn per unit of the parameter along the facet.
-inline OnFacet load_on(const scene::Mesh<2>& mesh, const ExactStress& stress, int facet) {
-  const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
-  const Point n = outward(between<Exact>(mesh.vertices[vertices[0]], mesh.vertices[vertices[1]]));
-  const auto& s = stress.cell[cell][(local + 1) % 3];
-  const Point first = on_normal(s[0], n), second = on_normal(s[1], n);
-  return {first, second, half * (first + second)};
+/// On a facet from its vertex 0 to its vertex 1: u, and λn per unit of the parameter.
+inline Field displacement_on(const scene::Mesh<2>& mesh, const ExactDisplacement& u, int facet) {
+  const auto& on = mesh.boundary[facet];
+  const auto& [i, j] = scene::Simplex<2>::facets[on.local];
+  return on_side(u.cell[on.cell], i, j);
+}
+inline Field load_on(const scene::Mesh<2>& mesh, const ExactStress& stress, int facet) {
+  const auto& on = mesh.boundary[facet];
+  const Point n = outward(between<Exact>(mesh.vertices[on.vertices[0]], mesh.vertices[on.vertices[1]]));
+  return on_side(on_normal(stress.cell[on.cell][(on.local + 1) % 3], n), 0, 1);
 }
 
 /// The tractions of the data, per unit of the parameter, and what is added to them.
-inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<Corrected<Exact>>& added, int facet) {
+inline Field traction_on(const scene::Problem<2>& problem, const std::vector<Corrected<Exact>>& added, int facet) {
   const auto& mesh = problem.mesh;
   const auto& [a, b] = mesh.boundary[facet].vertices;
   const Point side = between<Exact>(mesh.vertices[a], mesh.vertices[b]);
   const auto& data = problem.facets[facet];
-  OnFacet result;
+  std::array<Point, 2> result;
   if (!data.traction[0].isZero(0) || !data.traction[1].isZero(0)) {
     const Exact length = root(dot(side, side));
     for (int i = 0; i < 2; ++i) result[i] = length * vector2<Exact>(data.traction[i]);
@@ -87,36 +89,32 @@ inline OnFacet traction_on(const scene::Problem<2>& problem, const std::vector<C
   for (int i = 0; i < 2; ++i) result[i] = result[i] - Exact(data.pressure[i]) * outward(side);
   for (const auto& [at_facet, load] : added)
     for (int i = 0; i < 2 && at_facet == facet; ++i) result[i] = result[i] + load[i];
-  result[2] = half * (result[0] + result[1]);
-  return result;
+  return between_points(result[0], result[1]);
 }
 
-/// On a contact facet, at its first side's vertices and in the middle: r = (u' − u'')·d; so too g and p.
-inline ExactVoigt approach(const scene::Problem<2>& problem, const ExactDisplacement& u,
+/// On a contact facet, along its first side: r = (u' − u'')·d; so too g and p.
+inline Polynomial approach(const scene::Problem<2>& problem, const ExactDisplacement& u,
                            const scene::ContactFacet& pair) {
   const Point d = vector2<Exact>(problem.facets[pair.first].normal);
-  const OnFacet first = displacement_on(problem.mesh, u, pair.first);
-  ExactVoigt r = {dot(first[0], d), dot(first[1], d), dot(first[2], d)};
-  if (pair.second < 0) return r;
-  const OnFacet second = displacement_on(problem.mesh, u, pair.second);
-  return {r[0] - dot(second[1], d), r[1] - dot(second[0], d), r[2] - dot(second[2], d)};
+  const Polynomial r = dot(displacement_on(problem.mesh, u, pair.first), d);
+  return pair.second < 0 ? r : r - dot(displacement_on(problem.mesh, u, pair.second), d).reversed();
 }
 
+/// A gap by its Bernstein coefficients.
+inline Polynomial gap_of(const std::array<double, 3>& c) {
+  return Polynomial::monomial(2, {2, 0, 0}, Exact(c[0])) + Polynomial::monomial(2, {1, 1, 0}, Exact(2) * Exact(c[1])) +
+         Polynomial::monomial(2, {0, 2, 0}, Exact(c[2]));
+}
 /// The gap that the lower bound pays for.
-inline ExactVoigt gap(const scene::ContactFacet& pair) {
-  const Exact begin(pair.upper[0]), middle(pair.upper[1]), end(pair.upper[2]);
-  return {begin, end, half * (half * (begin + end) + middle)};
-}
+inline Polynomial gap(const scene::ContactFacet& pair) { return gap_of(pair.upper); }
 
-inline ExactVoigt pressure(const scene::Problem<2>& problem, const ExactStress& stress,
+inline Polynomial pressure(const scene::Problem<2>& problem, const ExactStress& stress,
                            const scene::ContactFacet& pair) {
   const Point d = vector2<Exact>(problem.facets[pair.first].normal);
-  const OnFacet load = load_on(problem.mesh, stress, pair.first);
-  const bool loaded = scene::is_loaded(problem.facets[pair.first]);  // of a perturbed problem
-  const OnFacet given = loaded ? traction_on(problem, {}, pair.first) : OnFacet{};
-  ExactVoigt p;
-  for (int i = 0; i < 3; ++i) p[i] = dot(given[i] - load[i], d) / dot(d, d);
-  return p;
+  Field load = load_on(problem.mesh, stress, pair.first);
+  if (scene::is_loaded(problem.facets[pair.first]))  // of a perturbed problem
+    load = load - traction_on(problem, {}, pair.first);
+  return (Exact(-1) / dot(d, d)) * dot(load, d);
 }
 
 }  // namespace bracket::bounds

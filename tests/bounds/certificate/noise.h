@@ -21,7 +21,8 @@ template <class Values> Values noisy(Values values, double keep, double size, st
 
 inline scene::Displacement<2> noisy(scene::Displacement<2> u, double keep, double size, std::mt19937& generator) {
   u.vertex = noisy(std::move(u.vertex), keep, size, generator);
-  if (u.degree == 2) u.edge = noisy(std::move(u.edge), keep, size, generator);
+  u.edge = noisy(std::move(u.edge), keep, size, generator);
+  u.cell = noisy(std::move(u.cell), keep, size, generator);
   return u;
 }
 
@@ -29,8 +30,9 @@ inline scene::Stress<2> noisy(scene::Stress<2> stress, double keep, double size,
   std::vector<scene::Voigt<2>> values;
   for (const auto& cell : stress.cell) values.insert(values.end(), cell.begin(), cell.end());
   values = noisy(std::move(values), keep, size, generator);
-  for (std::size_t c = 0; c < stress.cell.size(); ++c)
-    std::copy_n(values.begin() + 9 * static_cast<std::ptrdiff_t>(c), 9, stress.cell[c].begin());
+  auto next = values.begin();
+  for (auto& cell : stress.cell)
+    for (auto& value : cell) value = *next++;
   return stress;
 }
 

@@ -28,7 +28,7 @@ Problem<2> refined() {
 /// The certificate of the problem's own fields once it has been changed.
 void expect_refused(const Problem<2>& problem, const Change& change, const std::string& named) {
   const auto u = primal::solve(problem, 2).displacement;
-  const auto stress = dual::solve(problem).stress;
+  const auto stress = dual::solve(problem, 1).stress;
   ASSERT_TRUE(certify(problem, u, stress).valid);
   Problem<2> changed = problem;
   change(changed);
@@ -128,7 +128,7 @@ TEST(ProblemFault, of_corrections) {
 TEST(ProblemFault, fields_of_another_mesh_are_refused) {
   const auto problem = sound();
   const auto u = primal::solve(problem, 2).displacement;
-  auto stress = dual::solve(problem).stress;
+  auto stress = dual::solve(problem, 1).stress;
   auto shorter = u;
   shorter.edge.pop_back();
   EXPECT_FALSE(certify(problem, shorter, stress).valid);
@@ -143,7 +143,7 @@ TEST(ProblemFault, loads_out_of_balance_have_no_certificate) {
   scene::Scene<2> s = tests::linear_pressure({}, 2, 1);
   const auto problem = tests::problem(s);
   const auto u = primal::solve(problem, 2).displacement;
-  const auto stress = dual::solve(problem).stress;
+  const auto stress = dual::solve(problem, 1).stress;
   EXPECT_FALSE(certify(problem, u, stress).valid);
   EXPECT_TRUE(certify(balanced(problem, 2), u, stress).valid);
 }
@@ -171,7 +171,7 @@ void expect_functional_refused(const std::function<void(scene::Perturbation<2>&)
   scene::Perturbation<2> by = scene::no_perturbation(problem);
   for (auto& contact : by.contact) contact.gap = {1, 1, 1};
   const auto u = primal::solve(problem, 2).displacement;
-  const auto stress = dual::solve(problem).stress;
+  const auto stress = dual::solve(problem, 1).stress;
   const auto certified = [&](double loads, double kinematics) {
     auto shared = std::make_shared<const scene::Perturbation<2>>(by);
     return certify_functional(scene::perturbed(problem, std::move(shared), loads, kinematics), u, stress);

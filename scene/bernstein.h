@@ -1,0 +1,237 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+/// Polynomials by their Bernstein coefficients, over any kind of number and value. On a segment coefficient k belongs
+/// to n!/(k! (n−k)!) (1−t)^(n−k) t^k; on a triangle those of a degree are ordered by i_2, then by i_1 (they belong to
+/// n!/(i_0! i_1! i_2!) φ_0^i_0 φ_1^i_1 φ_2^i_2): so the first n + 1 are those of the side from corner 0 to corner 1.
+namespace bracket::scene {
+
+constexpr int n_bernstein(int degree) { return (degree + 1) * (degree + 2) / 2; }
+
+/// The place of the coefficient (degree − i_1 − i_2, i_1, i_2).
+constexpr int bernstein_place(int degree, int i1, int i2) { return i2 * (2 * degree + 3 - i2) / 2 + i1; }
+
+/// All (i_0, i_1, i_2) with this sum, in their order.
+inline std::vector<std::array<int, 3>> bernstein_indices(int degree) {
+  std::vector<std::array<int, 3>> indices;
+  for (int i2 = 0; i2 <= degree; ++i2)
+    for (int i1 = 0; i1 + i2 <= degree; ++i1) indices.push_back({degree - i1 - i2, i1, i2});
+  return indices;
+}
+inline int bernstein_place(const std::array<int, 3>& i) { return bernstein_place(i[0] + i[1] + i[2], i[1], i[2]); }
+
+constexpr int binomial(int n, int k) {
+  int result = 1;
+  for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+  return result;
+}
+
+/// v · part / whole, without rounding where that is v.
+template <class Number, class Value> Value share(const Value& v, int part, int whole) {
+  return part == whole ? v : Value((Number(part) / Number(whole)) * v);
+}
+
+/// A linear function's coefficient k on a segment, by its values at the ends.
+template <class Number, class Value> Value linear_coefficient(const Value& at0, const Value& at1, int degree, int k) {
+  if (k == 0) return at0;
+  if (k == degree) return at1;
+  return Value(share<Number>(at0, degree - k, degree) + share<Number>(at1, k, degree));
+}
+
+/// The same function of a segment, one degree higher.
+template <class Number, class Value> std::vector<Value> raised(const std::vector<Value>& c) {
+  const int degree = static_cast<int>(c.size());  // the new one
+  std::vector<Value> result = {c.front()};
+  for (int k = 1; k < degree; ++k) result.push_back(linear_coefficient<Number, Value>(c[k], c[k - 1], degree, k));
+  result.push_back(c.back());
+  return result;
+}
+template <class Number, class Value> std::vector<Value> raised_to(int degree, std::vector<Value> c) {
+  while (static_cast<int>(c.size()) <= degree) c = raised<Number>(c);
+  return c;
+}
+
+/// ∫ over the segment's parameter of coefficient i of one degree with k of another: part / whole.
+struct Fraction {
+  int part, whole;
+};
+constexpr Fraction bernstein_mass(int degree_of_i, int i, int degree_of_k, int k) {
+  const int sum = degree_of_i + degree_of_k;
+  return {binomial(degree_of_i, i) * binomial(degree_of_k, k), binomial(sum, i + k) * (sum + 1)};
+}
+template <class Number> Number number(const Fraction& f) { return Number(f.part) / Number(f.whole); }
+
+/// ∫ f g over the segment's parameter.
+template <class Number> Number bernstein_product(std::span<const Number> f, std::span<const Number> g) {
+  const int m = static_cast<int>(f.size()) - 1, n = static_cast<int>(g.size()) - 1;
+  Number sum(0);
+  for (int i = 0; i <= m; ++i)
+    for (int k = 0; k <= n; ++k) sum += number<Number>(bernstein_mass(m, i, n, k)) * (f[i] * g[k]);
+  return sum;
+}
+template <class Number> Number bernstein_product(const std::vector<Number>& f, const std::vector<Number>& g) {
+  return bernstein_product<Number>(std::span<const Number>(f), std::span<const Number>(g));
+}
+
+/// The value at t of a function on the segment.
+template <class Value> Value value_on_segment(std::vector<Value> c, double t) {
+  for (std::size_t n = c.size() - 1; n > 0; --n)
+    for (std::size_t k = 0; k < n; ++k) c[k] = (1 - t) * c[k] + t * c[k + 1];
+  return c.front();
+}
+
+/// The value of a function on a triangle at a point, by its barycentric coordinates.
+template <class Value> Value value_on_triangle(std::vector<Value> c, int degree, const std::array<double, 3>& point) {
+  for (int n = degree - 1; n >= 0; --n)
+    for (int i2 = 0; i2 <= n; ++i2)
+      for (int i1 = 0; i1 + i2 <= n; ++i1)
+        c[bernstein_place(n, i1, i2)] = point[0] * c[bernstein_place(n + 1, i1, i2)] +
+                                        point[1] * c[bernstein_place(n + 1, i1 + 1, i2)] +
+                                        point[2] * c[bernstein_place(n + 1, i1, i2 + 1)];
+  return c.front();
+}
+
+/// The same function of a triangle, one degree higher.
+template <class Number, class Value> std::vector<Value> raised_on_triangle(const std::vector<Value>& c, int degree) {
+  std::vector<Value> result;
+  for (const auto& i : bernstein_indices(degree + 1)) {
+    Value sum{};
+    bool first = true;
+    for (int corner = 0; corner < 3; ++corner) {
+      if (i[corner] == 0) continue;
+      std::array<int, 3> below = i;
+      --below[corner];
+      const Value part = share<Number, Value>(c[bernstein_place(below)], i[corner], degree + 1);
+      sum = first ? part : Value(sum + part);
+      first = false;
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
+/// The function on the part of a triangle that is left when its corner `replaced` is moved to the centroid: its
+/// coefficients there, in the same order of corners.
+template <class Number, class Value>
+std::vector<Value> on_centroid_part(std::vector<Value> c, int degree, int replaced) {
+  // Each step of de Casteljau's at the centroid makes one of the corners that a coefficient counts the new one.
+  std::vector<Value> result = c;
+  for (int step = 1; step <= degree; ++step) {
+    const int n = degree - step;
+    std::vector<Value> means;
+    for (const auto& i : bernstein_indices(n)) {
+      std::array<std::array<int, 3>, 3> above = {i, i, i};
+      for (int corner = 0; corner < 3; ++corner) ++above[corner][corner];
+      const Value sum =
+          Value(c[bernstein_place(above[0])] + c[bernstein_place(above[1])] + c[bernstein_place(above[2])]);
+      means.push_back(share<Number, Value>(sum, 1, 3));
+    }
+    c = std::move(means);
+    for (const auto& i : bernstein_indices(n)) {
+      if (i[replaced] != 0) continue;
+      std::array<int, 3> place = i;
+      place[replaced] = step;
+      result[bernstein_place(place)] = c[bernstein_place(i)];
+    }
+  }
+  return result;
+}
+
+/// The function on another triangle, given its corners in barycentric coordinates of this one.
+template <class Number, class Value>
+std::vector<Value> on_triangle(const std::vector<Value>& c, int degree,
+                               const std::array<std::array<Number, 3>, 3>& corners) {
+  std::vector<Value> result;
+  for (const auto& of : bernstein_indices(degree)) {  // the polar form at each corner as often as its index says
+    std::vector<Value> values = c;
+    int n = degree;
+    for (int corner = 0; corner < 3; ++corner)
+      for (int step = 0; step < of[corner]; ++step) {
+        --n;
+        for (int i2 = 0; i2 <= n; ++i2)
+          for (int i1 = 0; i1 + i2 <= n; ++i1)
+            values[bernstein_place(n, i1, i2)] = corners[corner][0] * values[bernstein_place(n + 1, i1, i2)] +
+                                                 corners[corner][1] * values[bernstein_place(n + 1, i1 + 1, i2)] +
+                                                 corners[corner][2] * values[bernstein_place(n + 1, i1, i2 + 1)];
+      }
+    result.push_back(values.front());
+  }
+  return result;
+}
+
+/// The mean over a triangle of the product of two of its Bernstein polynomials of a degree.
+constexpr Fraction bernstein_mean(const std::array<int, 3>& i, const std::array<int, 3>& k) {
+  const int degree = i[0] + i[1] + i[2];
+  const auto trinomial = [](const std::array<int, 3>& of) {
+    return binomial(of[0] + of[1] + of[2], of[0]) * binomial(of[1] + of[2], of[1]);
+  };
+  return {trinomial(i) * trinomial(k),
+          trinomial({i[0] + k[0], i[1] + k[1], i[2] + k[2]}) * (2 * degree + 1) * (degree + 1)};
+}
+
+/// The mean of f² over a triangle is a sum of squares: Σ (Σ_i coefficient_i f_i)² / divisor, exactly (the mass matrix
+/// is L D Lᵀ).
+template <int degree> struct Square {
+  int divisor;
+  std::array<int, n_bernstein(degree)> coefficient;
+};
+template <int degree> inline constexpr std::array<Square<degree>, 0> squares{};
+template <> inline constexpr std::array<Square<0>, 1> squares<0> = {{{1, {1}}}};
+template <> inline constexpr std::array<Square<1>, 3> squares<1> = {{{24, {2, 1, 1}}, {72, {0, 3, 1}}, {9, {0, 0, 1}}}};
+template <>
+inline constexpr std::array<Square<2>, 6> squares<2> = {{{540, {6, 3, 1, 3, 1, 1}},
+                                                         {900, {0, 5, 5, 1, 3, 1}},
+                                                         {2700, {0, 0, 10, 0, 4, 1}},
+                                                         {150, {0, 0, 0, 2, 1, 2}},
+                                                         {450, {0, 0, 0, 0, 3, 2}},
+                                                         {36, {0, 0, 0, 0, 0, 1}}}};
+template <>
+inline constexpr std::array<Square<3>, 10> squares<3> = {{{11200, {20, 10, 4, 1, 10, 4, 1, 4, 1, 1}},
+                                                          {15680, {0, 14, 14, 7, 2, 8, 5, 2, 3, 1}},
+                                                          {235200, {0, 0, 42, 63, 0, 12, 33, 2, 13, 3}},
+                                                          {78400, {0, 0, 0, 35, 0, 0, 15, 0, 5, 1}},
+                                                          {2940, {0, 0, 0, 0, 6, 3, 1, 6, 2, 3}},
+                                                          {4900, {0, 0, 0, 0, 0, 5, 5, 2, 6, 3}},
+                                                          {14700, {0, 0, 0, 0, 0, 0, 10, 0, 8, 3}},
+                                                          {600, {0, 0, 0, 0, 0, 0, 0, 2, 1, 3}},
+                                                          {200, {0, 0, 0, 0, 0, 0, 0, 0, 1, 1}},
+                                                          {100, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}}};
+
+template <class Value> Value zero_value() {
+  if constexpr (requires { Value::Zero(); })
+    return Value::Zero();
+  else
+    return Value{};
+}
+template <class Value> void add_multiple(Value& sum, int factor, const Value& v) { sum += factor * v; }
+template <class Number, std::size_t n>
+void add_multiple(std::array<Number, n>& sum, int factor, const std::array<Number, n>& v) {
+  for (std::size_t i = 0; i < n; ++i) sum[i] += Number(factor) * v[i];
+}
+
+/// The mean over a triangle of a quadratic form of a polynomial, given by its coefficients.
+template <class Number, int degree, class Value, class Form>
+Number mean_of_squares(const Form& form, std::span<const Value> c) {
+  Number sum(0);
+  for (const Square<degree>& square : squares<degree>) {
+    Value combined = zero_value<Value>();
+    for (int i = 0; i < n_bernstein(degree); ++i)
+      if (square.coefficient[i] != 0) add_multiple(combined, square.coefficient[i], c[i]);
+    sum += form(combined) / Number(square.divisor);
+  }
+  return sum;
+}
+template <class Number, class Value, class Form> Number mean_of_squares(const Form& form, std::span<const Value> c) {
+  switch (c.size()) {
+    case n_bernstein(0): return mean_of_squares<Number, 0>(form, c);
+    case n_bernstein(1): return mean_of_squares<Number, 1>(form, c);
+    case n_bernstein(2): return mean_of_squares<Number, 2>(form, c);
+    default: return mean_of_squares<Number, 3>(form, c);
+  }
+}
+
+}  // namespace bracket::scene
