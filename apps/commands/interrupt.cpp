@@ -13,7 +13,7 @@ volatile sig_atomic_t noted = 0;  // a handler of signals can reach nothing else
 void note(int) {
   constexpr std::string_view line = "\nbracket: stopping after this level; Ctrl-C again ends at once\n";
   noted = 1;
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
 }
 
 }  // namespace

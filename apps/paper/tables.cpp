@@ -36,7 +36,7 @@ Triangle triangle(double first, double second, double turned) {
 }
 
 /// The largest constant over the triangle's directions, which are the same after a quarter turn.
-double constant(double first, double second) {
+double largest_constant(double first, double second) {
   double largest = 0;
   for (double turned = 0; turned < 90; turned += 3.75)
     largest = std::max(largest, stress_by_load_constant(triangle(first, second, turned)));
@@ -44,11 +44,11 @@ double constant(double first, double second) {
 }
 
 /// The largest over all shapes with this smallest angle.
-double constant(double smallest) {
+double largest_constant(double smallest) {
   constexpr int shapes = 12;
   double largest = 0;
   for (int i = 0; i <= shapes; ++i)
-    largest = std::max(largest, constant(smallest, smallest + i * (90 - 1.5 * smallest) / shapes));
+    largest = std::max(largest, largest_constant(smallest, smallest + i * (90 - 1.5 * smallest) / shapes));
   return largest;
 }
 
@@ -156,8 +156,8 @@ Table stress_by_loads() {
       "(needle), of that with it twice (flat), of all triangles with it; in all directions.",
       {{"needle", ".4g"}, {"flat", ".4g"}, {"c(alpha)", ".4g"}, {"c sin^2(alpha)", ".3g"}}};
   for (const double angle : {60., 45., 30., 20., 15., 10., 5., 2., 1.}) {
-    const double needle = constant(angle, 90 - angle / 2), flat = constant(angle, angle);
-    const double all = std::max({needle, flat, constant(angle)}), sine = std::sin(degrees(angle));
+    const double needle = largest_constant(angle, 90 - angle / 2), flat = largest_constant(angle, angle);
+    const double all = std::max({needle, flat, largest_constant(angle)}), sine = std::sin(degrees(angle));
     table.rows.push_back({fmt::format("{:g} degrees", angle), {needle, flat, all, all * sine * sine}});
   }
   return table;

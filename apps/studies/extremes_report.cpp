@@ -36,7 +36,7 @@ std::optional<double> widening(const Extremes& extremes, const Extreme& row) {
   return row.interval->relative_width() / benign;
 }
 
-bool drawable(const Extreme& row) { return row.interval && row.interval->relative_width() > 0; }
+bool has_width(const Extreme& row) { return row.interval && row.interval->relative_width() > 0; }
 
 /// \param reasons those of the lines before and of this one
 std::string line(const Extremes& extremes, const Extreme& row, const std::vector<std::string>& reasons) {
@@ -121,14 +121,14 @@ std::string extremes_json(const scene::Scene<2>& scene, const Extremes& extremes
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-bool has_picture(const Extremes& extremes) { return std::ranges::any_of(extremes.rows, drawable); }
+bool has_picture(const Extremes& extremes) { return std::ranges::any_of(extremes.rows, has_width); }
 
 Picture extremes_picture(const Extremes& extremes) {
   std::vector<double> parameters, widths;
   std::string items, data;
   int curves = 0;
   for (const Extreme& row : extremes.rows) {
-    if (!drawable(row)) continue;
+    if (!has_width(row)) continue;
     const bool begins = items.find(quoted(row.sweep)) == std::string::npos;
     if (begins) {
       constexpr int colours = 6;  // that are told apart; then they begin anew, dashed

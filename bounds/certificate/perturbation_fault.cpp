@@ -16,7 +16,7 @@ namespace {
 
 bool finite(double x) { return std::isfinite(x); }
 bool finite(const scene::TwofoldVector<2>& x) { return x.value.allFinite() && x.rest.allFinite(); }
-template <class Values> bool all_finite(const Values& values) {
+template <class Values> bool each_finite(const Values& values) {
   return std::all_of(values.begin(), values.end(), [](const auto& x) { return finite(x); });
 }
 
@@ -24,12 +24,12 @@ bool is_finite(const scene::Perturbation<2>& by) {
   return std::ranges::all_of(by.force, [](const auto& force) { return force.allFinite(); }) &&
          std::ranges::all_of(by.facets,
                              [](const auto& facet) {
-                               return all_finite(facet.traction) && all_finite(facet.pressure) &&
-                                      all_finite(facet.displacement) && all_finite(facet.normal_displacement);
+                               return each_finite(facet.traction) && each_finite(facet.pressure) &&
+                                      each_finite(facet.displacement) && each_finite(facet.normal_displacement);
                              }) &&
          std::ranges::all_of(by.contact, [](const auto& contact) {
-           return all_finite(contact.gap) && all_finite(contact.opening) && all_finite(contact.first) &&
-                  all_finite(contact.second);
+           return each_finite(contact.gap) && each_finite(contact.opening) && each_finite(contact.first) &&
+                  each_finite(contact.second);
          });
 }
 

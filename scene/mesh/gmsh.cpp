@@ -12,7 +12,6 @@ namespace bracket::scene {
 namespace {
 
 using Tag = GmshFile::Tag;
-using Element = GmshFile::Element;
 
 /// Places of nodes by tag.
 class NodeIndex {
@@ -49,18 +48,19 @@ class NodeIndex {
 
 /// Version 2.2 writes what is in several groups once for each: of those that have one entity and the same nodes, one is
 /// kept, in all the groups.
-std::vector<Element> without_copies(const std::vector<Element>& elements, std::vector<std::set<Tag>>& groups) {
+std::vector<GmshFile::Element> without_copies(const std::vector<GmshFile::Element>& elements,
+                                              std::vector<std::set<Tag>>& groups) {
   std::map<Tag, int> groups_of_entity;
   std::set<Tag> in_several;
-  for (const Element& element : elements) {
+  for (const GmshFile::Element& element : elements) {
     const auto [known, fresh] = groups_of_entity.emplace(element.entity, element.groups);
     if (!fresh && known->second != element.groups) in_several.insert(element.entity);
   }
   if (in_several.empty()) return elements;
-  std::vector<Element> kept;
+  std::vector<GmshFile::Element> kept;
   std::map<std::vector<Tag>, std::size_t> place;  // by entity and nodes
   std::map<std::set<Tag>, int> number;
-  for (const Element& element : elements) {
+  for (const GmshFile::Element& element : elements) {
     std::size_t here = kept.size();
     if (in_several.contains(element.entity)) {
       std::vector<Tag> key(element.nodes.begin(), element.nodes.begin() + element.corners);
@@ -83,12 +83,13 @@ std::vector<Element> without_copies(const std::vector<Element>& elements, std::v
 
 /// The sets of elements by physical groups or, where none of them is in any, by entities. Two groups of one name would
 /// be one body or part in the scene file, so they are refused.
-std::vector<RawMesh::Set> sets_of(const GmshFile& file, Tag dimension, const std::vector<Element>& elements,
+std::vector<RawMesh::Set> sets_of(const GmshFile& file, Tag dimension, const std::vector<GmshFile::Element>& elements,
                                   const std::string& where) {
-  const bool grouped = std::ranges::any_of(elements, [](const Element& element) { return element.groups != 0; });
+  const bool grouped =
+      std::ranges::any_of(elements, [](const GmshFile::Element& element) { return element.groups != 0; });
   std::map<Tag, std::vector<int>> members;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Element& element = elements[i];
+    const GmshFile::Element& element = elements[i];
     if (grouped) {
       for (const Tag group : file.groups[element.groups]) members[group].push_back(static_cast<int>(i));
     } else if (element.entity != 0) {
@@ -108,10 +109,10 @@ std::vector<RawMesh::Set> sets_of(const GmshFile& file, Tag dimension, const std
   return sets;
 }
 
-std::vector<RawMesh::Element> raw_elements(const std::vector<Element>& elements, const NodeIndex& index) {
+std::vector<RawMesh::Element> raw_elements(const std::vector<GmshFile::Element>& elements, const NodeIndex& index) {
   std::vector<RawMesh::Element> result;
   result.reserve(elements.size());
-  for (const Element& element : elements) {
+  for (const GmshFile::Element& element : elements) {
     const char* kind = element.corners == 2 ? "the line" : element.corners == 3 ? "the triangle" : "the quadrilateral";
     RawMesh::Element raw{.tag = element.tag};
     for (int k = 0; k < element.corners; ++k) {

@@ -112,14 +112,14 @@ Real least_of(const std::vector<Panel>& panels) {
 }
 
 /// Where a quadratic is compared with that of a panel: the arguments of their blossoms, and the panel's coefficient.
-struct Comparison {
+struct PanelPair {
   Interval s, t;
   Real bound;
 };
 
-std::vector<Comparison> comparisons(const Stretch& on, const std::vector<Panel>& panels) {
+std::vector<PanelPair> comparisons(const Stretch& on, const std::vector<Panel>& panels) {
   const Interval width = Interval(on.to) - Interval(on.from);
-  std::vector<Comparison> all;
+  std::vector<PanelPair> all;
   for (const Panel& one : panels) {
     const Interval s = (Interval(one.from) - Interval(on.from)) / width;
     const Interval t = (Interval(one.to) - Interval(on.from)) / width;
@@ -129,7 +129,7 @@ std::vector<Comparison> comparisons(const Stretch& on, const std::vector<Panel>&
 }
 
 /// The largest middle coefficient with which the quadratic with these end values is below all panels'; none: no value.
-std::optional<Real> largest_middle(const std::vector<Comparison>& all, Real start, Real end) {
+std::optional<Real> largest_middle(const std::vector<PanelPair>& all, Real start, Real end) {
   Real middle = Interval::unbounded;
   for (const auto& [s, t, bound] : all) {
     const Interval of_start = (Interval(1) - s) * (Interval(1) - t), of_end = s * t;
@@ -145,7 +145,7 @@ std::optional<Real> largest_middle(const std::vector<Comparison>& all, Real star
 }
 
 /// The largest value at 1 with which the line from `start` at 0 is below all panels'; none: no value.
-std::optional<Real> largest_end(const std::vector<Comparison>& all, Real start) {
+std::optional<Real> largest_end(const std::vector<PanelPair>& all, Real start) {
   Real end = Interval::unbounded;
   for (const auto& [s, t, bound] : all) {
     const Interval at = (s + t) / 2, left = Interval(bound) - Interval(start) * (Interval(1) - at);
@@ -159,7 +159,7 @@ std::optional<Real> largest_end(const std::vector<Comparison>& all, Real start) 
 }
 
 /// The value at 0 of the line below all panels' that is the highest at ½: through two corners of their lower hull.
-Real start_of_highest(const std::vector<Comparison>& all) {
+Real start_of_highest(const std::vector<PanelPair>& all) {
   Real highest = Interval::unbounded, start = -Interval::unbounded;
   for (const auto& left : all)
     for (const auto& right : all) {
@@ -173,7 +173,7 @@ Real start_of_highest(const std::vector<Comparison>& all) {
   return start;
 }
 
-std::vector<Comparison> mirrored(std::vector<Comparison> all) {
+std::vector<PanelPair> mirrored(std::vector<PanelPair> all) {
   for (auto& [s, t, bound] : all) {
     s = Interval(1) - s;
     t = Interval(1) - t;
@@ -184,7 +184,7 @@ std::vector<Comparison> mirrored(std::vector<Comparison> all) {
 /// Quadratics and lines below all panels, with ends that are free or at their least.
 std::vector<Quadratic> rough_below(const Stretch& on, const std::vector<Panel>& panels,
                                    const std::array<Real, 2>& least_at_ends) {
-  const std::vector<Comparison> all = comparisons(on, panels), back = mirrored(all);
+  const std::vector<PanelPair> all = comparisons(on, panels), back = mirrored(all);
   std::vector<Quadratic> found;
   const auto add_line = [&](Real start, std::optional<Real> end) {
     if (end) found.push_back({start, ((Interval(start) + Interval(*end)) / 2).lower, *end});

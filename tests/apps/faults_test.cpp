@@ -27,7 +27,7 @@ class Faults : public Command {
   }
 };
 
-void expect_refused(const Ended& ended, int status, const std::string& part) {
+void expect_one_line(const Ended& ended, int status, const std::string& part) {
   EXPECT_EQ(ended.status, status) << ended.err;
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err.rfind("bracket: ", 0), 0u) << ended.err;
@@ -53,7 +53,7 @@ TEST_F(Faults, WhereTheMemoryDoesNotSufficeTheLevelsSoFarStand) {
 
 TEST_F(Faults, WhereTheMemoryDoesNotSufficeForAnyLevelTheStatusIs6) {
   write("scene.toml", on_cells(2000));
-  expect_refused(shell("ulimit -v 1300000; bracket run scene.toml"), 6, "the memory did not suffice for ");
+  expect_one_line(shell("ulimit -v 1300000; bracket run scene.toml"), 6, "the memory did not suffice for ");
 }
 
 TEST_F(Faults, AnyLimitOfTheAddressSpaceIsMetAtOnce) {
@@ -70,7 +70,7 @@ TEST_F(Faults, AnyLimitOfTheAddressSpaceIsMetAtOnce) {
     else if (ended.status == 0)
       expect_interval(ended, 0);
     else
-      expect_refused(ended, 6, "did not suffice for ");
+      expect_one_line(ended, 6, "did not suffice for ");
   }
   EXPECT_TRUE(starts);
 }
@@ -78,7 +78,7 @@ TEST_F(Faults, AnyLimitOfTheAddressSpaceIsMetAtOnce) {
 TEST_F(Faults, UzawasIterationEndsWhenTheTimeIsSpent) {
   write("scene.toml", on_cells(20));
   const std::string slowly = "bracket run scene.toml --no-report --set solve.dual=uzawa --set refine.max_seconds=1";
-  expect_refused(shell(slowly), 6, "stresses: the time is spent after ");
+  expect_one_line(shell(slowly), 6, "stresses: the time is spent after ");
   write("scene.toml", two_blocks);
   const Ended ended = shell(slowly + " --set refine.target=1e-9" + uniformly);
   expect_interval(ended, 5);
@@ -103,7 +103,7 @@ TEST_F(Faults, SymbolicLinksAreNotWrittenThrough) {
   for (const char* name : {".bracket", "report.json", "mesh.svg", "report.html", "history.csv.part"}) {
     const std::string link = "scene.out/" + std::string(name);
     shell("rm -rf scene.out; mkdir scene.out; echo mine > mine; touch scene.out/.bracket; ln -sf ../mine " + link);
-    expect_refused(shell("bracket run scene.toml"), 2, link + ": is a symbolic link");
+    expect_one_line(shell("bracket run scene.toml"), 2, link + ": is a symbolic link");
     EXPECT_EQ(read("mine"), "mine\n") << name;
   }
 }
@@ -132,7 +132,7 @@ TEST_F(Faults, NothingDependsOnStandardError) {
 
 TEST_F(Faults, StandardOutputIsNeeded) {
   for (const char* where : {">&-", ">/dev/full"})
-    expect_refused(shell("bracket run scene.toml --no-report " + std::string(where)), 2, "standard output");
+    expect_one_line(shell("bracket run scene.toml --no-report " + std::string(where)), 2, "standard output");
 }
 
 TEST_F(Faults, ADiskThatIsFullAfterTheFirstLevelLeavesTheReport) {

@@ -32,10 +32,10 @@ class Levels : public Command {
   }
 };
 
-const std::string adaptively = " --set refine.strategy=adaptive --set refine.target=0.05";
+const std::string to_a_twentieth = " --set refine.strategy=adaptive --set refine.target=0.05";
 
 TEST_F(Levels, TheRunsIntervalIsTheIntersectionOfItsLevels) {
-  const Ended ended = shell("bracket run scene.toml" + adaptively);
+  const Ended ended = shell("bracket run scene.toml" + to_a_twentieth);
   ASSERT_EQ(ended.status, 0) << ended.err;
   const Json json = report();
   ASSERT_GT(json["levels"].size(), 2u);
@@ -54,7 +54,7 @@ TEST_F(Levels, TheRunsIntervalIsTheIntersectionOfItsLevels) {
 }
 
 TEST_F(Levels, TheHeadlineIsRoundedUp) {
-  const Ended ended = shell("bracket run scene.toml --quiet" + adaptively);
+  const Ended ended = shell("bracket run scene.toml --quiet" + to_a_twentieth);
   std::smatch match;
   ASSERT_TRUE(
       std::regex_search(ended.out, match, std::regex("relative width (.*)   guaranteed relative error (.*) %")));
@@ -67,7 +67,7 @@ TEST_F(Levels, TheHeadlineIsRoundedUp) {
 }
 
 TEST_F(Levels, PhasesAddUpToNoMoreThanTheTimeOfTheirFormulation) {
-  ASSERT_EQ(shell("bracket run scene.toml" + adaptively).status, 0);
+  ASSERT_EQ(shell("bracket run scene.toml" + to_a_twentieth).status, 0);
   const Json json = report();
   double before = json["seconds"]["read"];
   for (const Json& level : json["levels"]) {

@@ -28,10 +28,10 @@ class Pictures : public Command {
   }
 };
 
-const std::string adaptively = " --set refine.strategy=adaptive --set refine.max_levels=4";
+const std::string on_four_levels = " --set refine.strategy=adaptive --set refine.max_levels=4";
 
 TEST_F(Pictures, OfARefinedContact) {
-  const Ended ended = shell("bracket run contact.toml" + adaptively);
+  const Ended ended = shell("bracket run contact.toml" + on_four_levels);
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
   expect_drawn("contact.out/closing.svg", "4");
@@ -51,7 +51,7 @@ TEST_F(Pictures, ThatHaveNothingToShowAreLeftOut) {
 }
 
 TEST_F(Pictures, AsPngOnRequest) {
-  ASSERT_EQ(shell("bracket run contact.toml --png" + adaptively).status, 0);
+  ASSERT_EQ(shell("bracket run contact.toml --png" + on_four_levels).status, 0);
   for (const char* name : {"closing", "error", "mesh", "stress", "contact"})
     EXPECT_EQ(read("contact.out/" + std::string(name) + ".png").substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
 }

@@ -30,7 +30,7 @@ scene::Scene<2> pulled_apart() {
   return s;
 }
 
-struct Solved {
+struct SolvedScene {
   std::string name;
   scene::Problem<2> problem;
   scene::Displacement<2> displacement;
@@ -38,13 +38,13 @@ struct Solved {
 };
 
 /// Scenes with every kind of support and load, as they are and far from the origin and turned.
-std::vector<Solved> solved_scenes() {
+std::vector<SolvedScene> solved_scenes() {
   const std::vector<std::pair<std::string, scene::Scene<2>>> scenes = {{"two blocks", tests::two_blocks(4)},
                                                                        {"everything", tests::everything(3, 4, 2)},
                                                                        {"patch", tests::patch(2, 0.3, 0.1, 2)},
                                                                        {"pressure", tests::linear_pressure({}, 4, 2)},
                                                                        {"apart", pulled_apart()}};
-  std::vector<Solved> all;
+  std::vector<SolvedScene> all;
   for (const auto& [name, s] : scenes)
     for (const double shift : {0.0, 1e6}) {
       if (shift != 0 && name != "two blocks" && name != "pressure" && name != "patch") continue;  // functions of x

@@ -18,7 +18,7 @@ std::string refusal(const scene::Scene<2>& scene) {
   return "";
 }
 
-scene::Scene<2> on_a_wall() {
+scene::Scene<2> free_on_a_wall() {
   scene::Scene<2> s;
   s.blocks = {tests::block("block", -1, 1, 0, 1, 4, 2)};
   s.bodies = {{"block", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
@@ -27,7 +27,7 @@ scene::Scene<2> on_a_wall() {
 }
 
 TEST(Solvability, loads_press_or_push_off) {  // [HH81, (1.16)]
-  auto s = on_a_wall();
+  auto s = free_on_a_wall();
   s.boundary["block.top"] = tests::traction(tests::constant(0), tests::constant(-1));
   EXPECT_EQ(refusal(s), "");
   s.boundary["block.top"] = tests::traction(tests::constant(0), tests::constant(1));
@@ -37,7 +37,7 @@ TEST(Solvability, loads_press_or_push_off) {  // [HH81, (1.16)]
 }
 
 TEST(Solvability, loads_along_an_unresisted_motion_must_balance) {
-  auto s = on_a_wall();
+  auto s = free_on_a_wall();
   s.boundary["block.top"] = tests::traction(tests::constant(0.1), tests::constant(-1));
   EXPECT_NE(refusal(s).find("'block'"), std::string::npos);
   // Opposite shears on top and left balance the force sideways only to rounding.
@@ -48,7 +48,7 @@ TEST(Solvability, loads_along_an_unresisted_motion_must_balance) {
 TEST(Solvability, resultant_must_pass_through_the_contact) {
   // p = 1 − c x on the top of (−1, 1): its resultant acts at x = −c/3, within the contact for |c| < 3.
   for (const double c : {-2.9, 0.0, 2.9, 3.1, -3.1}) {
-    auto s = on_a_wall();
+    auto s = free_on_a_wall();
     s.boundary["block.top"] = tests::pressure([c](const auto& x) { return 1 - c * x[0]; });
     const std::string message = refusal(s);
     EXPECT_EQ(message.empty(), std::abs(c) < 3) << c << ": " << message;
@@ -59,7 +59,7 @@ TEST(Solvability, resultant_must_pass_through_the_contact) {
 }
 
 TEST(Solvability, prescribed_displacements_must_keep_the_contact) {
-  auto s = on_a_wall();
+  auto s = free_on_a_wall();
   s.boundary["block.left"] = tests::fixed(0, -0.01);
   const std::string message = refusal(s);
   EXPECT_NE(message.find("'block.bottom'"), std::string::npos) << message;
@@ -70,7 +70,7 @@ TEST(Solvability, prescribed_displacements_must_keep_the_contact) {
 
 TEST(Solvability, a_turn_by_rounding_is_none) {
   // So far from the origin that the moment of the load is rounded to 1e-11 of its size.
-  auto s = on_a_wall();
+  auto s = free_on_a_wall();
   s.blocks = {tests::block("block", 1e5, 1e5 + 0.7, 0, 0.7, 4, 4)};
   s.boundary["block.top"] = tests::traction(tests::constant(0), tests::constant(0.1));
   const std::string message = refusal(s);

@@ -3,6 +3,7 @@
 
 #include "tests/compare/admissible.h"
 #include "tests/compare/exact.h"
+#include "tests/compare/scene_files.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
@@ -27,10 +28,6 @@ bounds::Outcome<2> refined(scene::Scene<2> scene, int degree, int max_cells) {
   scene.solve.degree = degree;
   scene.refine = {.strategy = scene::Strategy::adaptive, .max_levels = 100, .max_cells = max_cells};
   return bounds::run(scene);
-}
-
-scene::Scene<2> from_file(const std::string& name) {
-  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / (name + ".toml"));
 }
 
 TEST(Adaptive, lift_off_reaches_the_full_order_of_quadratics) {

@@ -4,14 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "tests/compare/admissible.h"
+#include "tests/compare/scene_files.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
 namespace {
-
-scene::Scene<2> from_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / (name + ".toml"), overrides);
-}
 
 std::string cells(int block, int nx, int ny) {
   return "mesh.block." + std::to_string(block) + ".cells=[" + std::to_string(nx) + "," + std::to_string(ny) + "]";

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/compare/admissible.h"
+#include "tests/compare/scene_files.h"
 
 /// Examples 1, 2 and 3 of HH81 §2: solvable loads, loads at the limit and beyond it.
 namespace bracket::tests {
@@ -10,8 +11,7 @@ namespace {
 using scene::Vector;
 
 scene::Scene<2> example(int number, const std::vector<std::string>& overrides = {}) {
-  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / ("example_" + std::to_string(number) + ".toml"),
-                              overrides);
+  return from_file("example_" + std::to_string(number), overrides);
 }
 
 /// The force of the stresses' pressure.
@@ -24,7 +24,7 @@ double contact_force(const bounds::Outcome<2>& outcome) {
   return force;
 }
 
-double largest_pressure(const bounds::Outcome<2>& outcome) {
+double largest_contact_pressure(const bounds::Outcome<2>& outcome) {
   double largest = 0;
   for (const auto& state : bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress))
     largest = std::max({largest, state.pressure[0], state.pressure[1]});
@@ -59,7 +59,7 @@ TEST(Paper, at_the_limit_of_solvability_nothing_presses) {  // V1 = 0 (2.4), V2 
     EXPECT_EQ(outcome.status, scene::Status::done) << outcome.reason;
     expect_admissible(outcome);
     EXPECT_LT(outcome.upper, 0) << "the bodies are strained";
-    EXPECT_LT(largest_pressure(outcome), 1e-12) << "example " << number;
+    EXPECT_LT(largest_contact_pressure(outcome), 1e-12) << "example " << number;
   }
 }
 

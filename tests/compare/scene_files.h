@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace bracket::tests {
 
@@ -14,6 +17,11 @@ inline std::vector<std::filesystem::path> scene_files() {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// The one with this name.
+inline scene::Scene<2> from_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
+  return scene::read_scene<2>(std::filesystem::path(BRACKET_SCENES) / (name + ".toml"), overrides);
 }
 
 }  // namespace bracket::tests

@@ -7,6 +7,7 @@
 #include "bounds/particular.h"
 #include "dual/dual.h"
 #include "primal/primal.h"
+#include "tests/compare/scene_files.h"
 #include "tests/compare/stress_norm.h"
 #include "tests/support/scenes.h"
 
@@ -20,10 +21,7 @@ struct Case {
 
 scene::Problem<2> balanced(const scene::Scene<2>& scene) { return bounds::balanced(problem(scene), 2); }
 
-Case from_file(const std::string& name) {
-  const auto folder = std::filesystem::path(BRACKET_SCENES);
-  return {name, balanced(scene::read_scene<2>(folder / (name + ".toml")))};
-}
+Case case_of(const std::string& name) { return {name, balanced(from_file(name))}; }
 
 /// Supports and loads of all kinds, floating bodies, walls, inclined contact, weight, unlike moduli.
 std::vector<Case> cases() {
@@ -36,10 +34,10 @@ std::vector<Case> cases() {
           {"unlike moduli", balanced(linear_pressure(unlike, 2, 1))},
           {"lift-off", balanced(two_blocks(3))},
           {"gap", balanced(raised)},
-          from_file("gravity"),
-          from_file("example_1"),
-          from_file("example_2"),
-          from_file("example_3")};
+          case_of("gravity"),
+          case_of("example_1"),
+          case_of("example_2"),
+          case_of("example_3")};
 }
 
 TEST(Uzawa, particular_stress_balances_the_data) {

@@ -11,8 +11,6 @@ namespace {
 
 using namespace test;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
 double energy(const Interface& problem, const VectorXd& pressure) {
   return 0.5 * pressure.dot(problem.compliance * pressure) - pressure.dot(problem.overlap);
 }

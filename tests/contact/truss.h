@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <random>
 
 #include "contact/contact.h"
@@ -12,6 +13,10 @@ namespace bracket::contact::test {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+/// A backward stable solve of n ≤ 60 unknowns leaves n eps; trusses in random position have factors up to 1e2 more.
+inline constexpr double truss_rounding = 60 * eps * 1e2;
 
 struct Truss {
   MatrixXd joints;     ///< n × 2

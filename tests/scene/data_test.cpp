@@ -11,8 +11,6 @@ namespace {
 
 using namespace test;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
-
 Problem<2> fixed(const Scene<2>& scene) { return fix_data(scene, build_mesh(scene)); }
 
 TEST(Projection, KeepsResultantAndMoment) {

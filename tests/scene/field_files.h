@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -13,6 +14,11 @@
 
 /// Files of displacements for tests.
 namespace bracket::scene::test {
+
+/// A file of tests/fields.
+inline std::filesystem::path given_file(const std::string& name) {
+  return std::filesystem::path(BRACKET_FIELDS) / name;
+}
 
 /// A displacement of each body, by its number and place.
 using Motion = std::function<Vector<2>(int body, const Vector<2>& x)>;

@@ -10,8 +10,6 @@ namespace {
 
 using namespace test;
 
-std::filesystem::path given_file(const std::string& name) { return std::filesystem::path(BRACKET_FIELDS) / name; }
-
 /// The unit square of two triangles that the small files of tests/fields are of.
 Mesh<2> square() {
   Scene<2> scene;

@@ -9,8 +9,6 @@ namespace {
 
 using namespace test;
 
-std::filesystem::path given_file(const std::string& name) { return std::filesystem::path(BRACKET_FIELDS) / name; }
-
 /// The two blocks refined here and there.
 Mesh<2> refined(int n) {
   Problem<2> problem = bracket::tests::problem(bracket::tests::two_blocks(n));

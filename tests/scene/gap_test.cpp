@@ -13,22 +13,17 @@ namespace bracket::scene {
 namespace {
 
 using namespace test;
-using Random = std::mt19937;
-
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
 
 double value(const std::array<double, 3>& c, double s) {
   return (1 - s) * ((1 - s) * c[0] + 2 * s * c[1]) + s * s * c[2];
 }
 
-const Vector<2> a(-1, 0.25), b(2, 0.25);
-/// Where a parameter of the edge from a to b is.
-Vector<2> at(double t) { return (1 - t) * a + t * b; }
+const Vector<2> left_end(-1, 0.25), right_end(2, 0.25);
+/// Where a parameter of the edge from its left to its right end is.
+Vector<2> at(double t) { return (1 - t) * left_end + t * right_end; }
 
 GapBounds enclosed(const std::string& gap, double from = 0, double to = 1) {
-  return enclosed_gap({parse_expression(gap, "")}, a, b, {0, {{{from}, {to}}}});
+  return enclosed_gap({parse_expression(gap, "")}, left_end, right_end, {0, {{{from}, {to}}}});
 }
 
 /// A jump, a kink, a root or something smooth, with random numbers.
@@ -57,7 +52,7 @@ TEST(Gap, LiesBetweenItsQuadraticsOnRandomStretches) {
     const int halvings = std::uniform_int_distribution<int>(0, 12)(random);
     const double width = std::ldexp(1.0, -halvings);
     const double from = width * std::floor(uniform(random, 0, 1) / width), to = from + width;
-    const auto [lower, upper] = enclosed_gap({gap}, a, b, {0, {{{from}, {to}}}});
+    const auto [lower, upper] = enclosed_gap({gap}, left_end, right_end, {0, {{{from}, {to}}}});
     double least = 1e300, largest = -1e300;
     std::vector<std::pair<double, double>> samples;
     for (int k = 0; k < 200; ++k) {
@@ -128,22 +123,22 @@ TEST(Gap, TheBoundsCloseAtTheOrderThatTheFunctionAllows) {
 }
 
 TEST(Gap, QuadraticsAreOneUpToRounding) {
-  const auto exact = quadratic_gap(parse_expression("0.5*x^2 - y", ""), a, b);
+  const auto exact = quadratic_gap(parse_expression("0.5*x^2 - y", ""), left_end, right_end);
   ASSERT_TRUE(exact.has_value());
   EXPECT_EQ(exact->lower, (std::array<double, 3>{0.25, -1.25, 1.75}));
   EXPECT_EQ(exact->upper, exact->lower);
-  const auto rounded = quadratic_gap(parse_expression("0.1*x^2 - x/3", ""), a, b);
+  const auto rounded = quadratic_gap(parse_expression("0.1*x^2 - x/3", ""), left_end, right_end);
   ASSERT_TRUE(rounded.has_value());
   for (int i = 0; i < 3; ++i) EXPECT_LE(rounded->upper[i], std::nextafter(rounded->lower[i], 1e9)) << i;
-  EXPECT_FALSE(quadratic_gap(parse_expression("x^3", ""), a, b).has_value());
-  EXPECT_FALSE(quadratic_gap(parse_expression("abs(x)", ""), a, b).has_value());
+  EXPECT_FALSE(quadratic_gap(parse_expression("x^3", ""), left_end, right_end).has_value());
+  EXPECT_FALSE(quadratic_gap(parse_expression("abs(x)", ""), left_end, right_end).has_value());
 }
 
 TEST(Gap, TheLowerOneAdmitsWhatItsEndsMust) {
   const Function<2> step = parse_expression("x < 1 ? 1 : 0", "");
   for (const double at_least : {0.0, 0.4, 1.0}) {
     const GivenGap<2> given{step, {at_least, -1e300}, {0, 0}, ""};
-    const auto lower = enclosed_gap(given, a, b, whole<1>(0)).lower;
+    const auto lower = enclosed_gap(given, left_end, right_end, whole<1>(0)).lower;
     EXPECT_GE(lower[0], at_least);
     for (int k = 0; k <= 100; ++k) EXPECT_LE(value(lower, k / 100.0), k < 67 ? 1 : 0) << at_least;
   }

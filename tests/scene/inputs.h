@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
+#include <random>
 
 #include "scene/scene.h"
 #include "tests/support/folder.h"
@@ -11,6 +13,13 @@
 namespace bracket::scene::test {
 
 using bracket::tests::Folder;
+
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+
+using Random = std::mt19937;
+inline double uniform(Random& random, double from, double to) {
+  return std::uniform_real_distribution<double>(from, to)(random);
+}
 
 /// The Error that an action throws, if it does; anything else it throws goes through.
 std::optional<Error> error_of(const std::function<void()>& action);

@@ -9,11 +9,7 @@
 namespace bracket::scene {
 namespace {
 
-using Random = std::mt19937;
-
-double uniform(Random& random, double from, double to) {
-  return std::uniform_real_distribution<double>(from, to)(random);
-}
+using namespace test;
 
 /// Whether all that x allows y allows, too.
 bool within(const Interval& x, const Interval& y) { return x.is_empty() || (y.lower <= x.lower && x.upper <= y.upper); }

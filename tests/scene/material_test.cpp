@@ -9,7 +9,7 @@
 namespace bracket::scene {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+using namespace test;
 
 /// |C S − I|, entry by entry, by the rounding that entries of a few eps relative accuracy may cause.
 double inverse_defect(const Material<2>& material) {

@@ -44,7 +44,7 @@ Invariants invariants(const Mesh<2>& mesh) {
 }
 
 /// The second side of each contact facet lies on the first to the last bit and runs the other way.
-void expect_matched(const Problem<2>& problem) {
+void expect_pairs_matched(const Problem<2>& problem) {
   const Mesh<2>& mesh = problem.mesh;
   const auto ends = [&](int facet, int end) { return mesh.vertices[mesh.boundary[facet].vertices[end]]; };
   std::vector<int> uses(mesh.boundary.size(), 0);
@@ -158,7 +158,7 @@ TEST(Refine, RandomMarksKeepTheMeshSound) {
       expect_inherited_normals(problem, refined.problem);
       problem = std::move(refined.problem);
       expect_conforming(problem.mesh);
-      expect_matched(problem);
+      expect_pairs_matched(problem);
     }
     expect_polynomial_data(problem, rounds);
     const Invariants after = invariants(problem.mesh);

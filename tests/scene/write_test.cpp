@@ -35,7 +35,7 @@ std::map<std::array<int, 2>, std::string> part_names(const Mesh<2>& mesh) {
   return names;
 }
 
-void expect_same(const Mesh<2>& read, const Mesh<2>& written) {
+void expect_written(const Mesh<2>& read, const Mesh<2>& written) {
   EXPECT_EQ(read.vertices, written.vertices);
   EXPECT_EQ(read.cells, written.cells);
   ASSERT_EQ(read.cell_body.size(), written.cell_body.size());
@@ -50,9 +50,9 @@ TEST(WrittenMesh, ReadsBackToTheLastBit) {
   const Folder folder;
   const Mesh<2> mesh = refined_blocks().mesh;
   for (const int degree : {1, 2}) {
-    expect_same(read_mesh<2>(folder.write("a.msh", gmsh_text(mesh, degree))), mesh);
+    expect_written(read_mesh<2>(folder.write("a.msh", gmsh_text(mesh, degree))), mesh);
     for (const Plane plane : {Plane::strain, Plane::stress})
-      expect_same(read_mesh<2>(folder.write("a.inp", abaqus_text(mesh, degree, plane))), mesh);
+      expect_written(read_mesh<2>(folder.write("a.inp", abaqus_text(mesh, degree, plane))), mesh);
   }
 }
 
@@ -92,9 +92,9 @@ TEST(WrittenMesh, NamesThatAFormatCannotHoldAreRefused) {
   mesh.parts[0] = "LOWER.Top";
   expect_error([&] { abaqus_text(mesh, 1, Plane::strain); }, Status::input, {"'LOWER.Top'", "'lower.top'"});
   const Folder folder;
-  expect_same(read_mesh<2>(folder.write("a.msh", gmsh_text(mesh, 1))), mesh);
+  expect_written(read_mesh<2>(folder.write("a.msh", gmsh_text(mesh, 1))), mesh);
   mesh.parts[0] = "joint, left side";
-  expect_same(read_mesh<2>(folder.write("a.inp", abaqus_text(mesh, 1, Plane::strain))), mesh);
+  expect_written(read_mesh<2>(folder.write("a.inp", abaqus_text(mesh, 1, Plane::strain))), mesh);
 }
 
 }  // namespace

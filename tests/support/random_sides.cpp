@@ -22,7 +22,7 @@ struct Draw {
 };
 
 /// The problem, on a mesh that is drawn last; data are constant on each part, so that all meshes carry the same.
-scene::Scene<2> sides(std::uint64_t seed, int mesh) {
+scene::Scene<2> scene_of_sides(std::uint64_t seed, int mesh) {
   Draw draw{std::mt19937_64(seed)};
   scene::Scene<2> s;
   const double height = draw.between(0.2, 0.8);
@@ -82,7 +82,7 @@ SidesVerdict judge_random_sides(std::uint64_t seed) {
   SidesVerdict verdict;
   std::vector<bounds::Outcome<2>> outcomes;
   for (int mesh = 0; mesh < 3; ++mesh) {
-    const scene::Scene<2> s = sides(seed, mesh);
+    const scene::Scene<2> s = scene_of_sides(seed, mesh);
     const auto outcome = bracketed(s);
     if (!outcome) continue;
     ++verdict.bracketed;

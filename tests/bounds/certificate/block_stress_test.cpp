@@ -16,9 +16,9 @@ using scene::Vector;
 template <class Number> using Triangle = std::array<Vector2<Number>, 3>;
 template <class Number> using Loads = std::array<SideLoad<Number>, 3>;
 
-class Random {
+class RandomUnits {
  public:
-  explicit Random(unsigned seed) : generator_(seed) {}
+  explicit RandomUnits(unsigned seed) : generator_(seed) {}
   double operator()() { return std::uniform_real_distribution<double>(-1, 1)(generator_); }
   Vector<2> point() { return {(*this)(), (*this)()}; }
 
@@ -39,7 +39,7 @@ std::array<Vector<2>, 3> isosceles(double degrees, double size) {
 std::vector<std::array<Vector<2>, 3>> triangles() {
   std::vector<std::array<Vector<2>, 3>> result = {isosceles(60, 1),     isosceles(1, 1),     isosceles(178, 1),
                                                   isosceles(0.001, 10), isosceles(90, 1e-6), isosceles(50, 1e9)};
-  Random random(1);
+  RandomUnits random(1);
   while (result.size() < 30) {
     const std::array<Vector<2>, 3> t = {random.point(), random.point(), random.point()};
     const Vector<2> u = t[1] - t[0], v = t[2] - t[0];
@@ -63,7 +63,7 @@ template <class Number> Wrench<Number> total(const Triangle<Number>& x, const Lo
 }
 
 /// Random loads, exactly balanced by the one on the last side.
-Loads<Exact> balanced_loads(Random& random, const Triangle<Exact>& x) {
+Loads<Exact> balanced_loads(RandomUnits& random, const Triangle<Exact>& x) {
   Loads<Exact> load;
   for (auto& side : load)
     for (auto& end : side) end = vector2<Exact>(random.point());
@@ -81,7 +81,7 @@ template <class Number> Vector2<Number> on_normal(const std::array<Number, 3>& s
 bool equal(const Vector2<Exact>& a, const Vector2<Exact>& b) { return a.x == b.x && a.y == b.y; }
 
 TEST(Wrench, is_that_of_the_load_whose_it_is) {
-  Random random(2);
+  RandomUnits random(2);
   for (int trial = 0; trial < 20; ++trial) {
     const auto arm = vector2<Exact>(random.point()), e = vector2<Exact>(random.point());
     const SideLoad<Exact> load = {vector2<Exact>(random.point()), vector2<Exact>(random.point())};
@@ -99,7 +99,7 @@ TEST(Wrench, is_that_of_the_load_whose_it_is) {
 }
 
 TEST(BlockStress, is_in_equilibrium_inside_and_with_the_side_loads_exactly) {
-  Random random(3);
+  RandomUnits random(3);
   for (const auto& t : triangles()) {
     const auto x = seen_from_first<Exact>(t);
     const auto load = balanced_loads(random, x);
@@ -152,7 +152,7 @@ template <class Number> double rounding_error(const std::array<Vector<2>, 3>& t,
 
 TEST(BlockStress, in_floating_point_is_the_exact_one_to_rounding) {
   // About a hundred roundings, each of which the shape makes as much larger as it is long.
-  Random random(4);
+  RandomUnits random(4);
   for (const auto& t : triangles()) {
     const auto load = balanced_loads(random, seen_from_first<Exact>(t));
     EXPECT_LE(rounding_error<double>(t, load), 100 * std::numeric_limits<double>::epsilon() * aspect(t));
@@ -161,7 +161,7 @@ TEST(BlockStress, in_floating_point_is_the_exact_one_to_rounding) {
 }
 
 TEST(BlockStress, is_that_of_the_block_elements_of_the_solver) {
-  Random random(5);
+  RandomUnits random(5);
   const auto compliance = scene::isotropic<2>(2, 0.3, scene::Plane::strain).compliance();
   for (const auto& t : triangles()) {
     const auto element = dual::block_element<1>(t, compliance);

@@ -23,9 +23,9 @@ Rational most(const Enclosure& x) { return Rational(x.middle) + Rational(x.radiu
 bool contains(const Enclosure& x, const Rational& value) { return least(x) <= value && value <= most(x); }
 
 /// Real numbers and enclosures of all kinds and magnitudes.
-class Random {
+class RandomReals {
  public:
-  explicit Random(unsigned seed) : generator_(seed) {}
+  explicit RandomReals(unsigned seed) : generator_(seed) {}
 
   double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(generator_); }
   bool one_in(int n) { return std::uniform_int_distribution<int>(1, n)(generator_) == 1; }
@@ -54,7 +54,7 @@ constexpr int trials = 600;
 
 /// Runs through pairs of enclosures, close to each other and far from it, and all real numbers tried within them.
 template <class Check> void for_pairs(double largest_exponent, const Check& check) {
-  Random random(1);
+  RandomReals random(1);
   for (int trial = 0; trial < trials; ++trial) {
     const double e = trial % 2 == 0 ? largest_exponent : 1;
     const Enclosure x = random.enclosure(e);
@@ -90,7 +90,7 @@ TEST(Enclosure, holds_every_quotient_or_says_that_it_cannot) {
 }
 
 TEST(Enclosure, holds_quotients_by_what_is_close_to_zero) {
-  Random random(2);
+  RandomReals random(2);
   int divided = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const Real middle = random.number(5);
@@ -106,7 +106,7 @@ TEST(Enclosure, holds_quotients_by_what_is_close_to_zero) {
 }
 
 TEST(Enclosure, holds_every_square_root) {
-  Random random(3);
+  RandomReals random(3);
   int positive = 0;
   for (int trial = 0; trial < trials; ++trial) {
     const Real middle = std::abs(random.number(300));
@@ -132,7 +132,7 @@ TEST(Enclosure, loses_nothing_far_below_the_smallest_double) {
 }
 
 TEST(Enclosure, chains_of_operations_hold_the_exact_value) {
-  Random random(4);
+  RandomReals random(4);
   for (int trial = 0; trial < 300; ++trial) {
     Enclosure x = random.enclosure(10);
     Rational value = random.within(x)[3];
@@ -191,7 +191,7 @@ TEST(Enclosure, is_as_narrow_as_its_arithmetic) {
 
 TEST(LongSum, holds_the_sum_and_does_not_widen_with_the_number_of_terms) {
   for (const int n : {10, 1000, 30000}) {
-    Random random(6);
+    RandomReals random(6);
     LongSum sum;
     Rational exact = 0;
     Real size = 0;
@@ -204,7 +204,7 @@ TEST(LongSum, holds_the_sum_and_does_not_widen_with_the_number_of_terms) {
     EXPECT_TRUE(contains(sum.value(), exact));
     EXPECT_LE(sum.value().radius, 2 * rounding::half_ulp * size) << n;  // n·half_ulp/2 if simply added
   }
-  Random random(7);  // with radii, all magnitudes and cancellation
+  RandomReals random(7);  // with radii, all magnitudes and cancellation
   for (int trial = 0; trial < 100; ++trial) {
     LongSum sum;
     Rational exact = 0;
@@ -221,7 +221,7 @@ TEST(LongSum, holds_the_sum_and_does_not_widen_with_the_number_of_terms) {
 }
 
 TEST(Enclosure, rounds_outwards_to_double) {
-  Random random(8);
+  RandomReals random(8);
   const auto largest = std::numeric_limits<double>::max();
   for (int trial = 0; trial < trials; ++trial) {
     const Enclosure x = random.enclosure(trial % 2 == 0 ? 300 : 2);
@@ -251,7 +251,7 @@ TEST(Enclosure, what_is_not_a_number_is_never_a_bound) {
 }
 
 TEST(Solution, holds_the_solution_of_every_system_within) {
-  Random random(9);
+  RandomReals random(9);
   int solved = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const std::size_t n = 1 + trial % 6;
