@@ -4,6 +4,7 @@
 #include "contact/clock.h"
 #include "dual/cells.h"
 #include "dual/dual.h"
+#include "scene/mesh/dissection.h"
 
 namespace bracket::dual {
 
@@ -78,14 +79,19 @@ Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout,
   return rigid;
 }
 
-/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave.
+/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave. \param paths scene::dissect()
 template <int dim>
-contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells, int b) {
+contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell>& cells,
+                         const std::vector<std::uint64_t>& paths, int b) {
   std::vector<int> cell_nodes;
-  for (const int c : layout.body_cells[b])
+  std::vector<std::uint64_t> body_paths;
+  for (const int c : layout.body_cells[b]) {
+    body_paths.push_back(paths[c]);
     for (const int e : problem.mesh.cell_edges[c]) cell_nodes.push_back(layout.edges[e].node);
+  }
   contact::System body;
   body.nodes = layout.body_nodes[b];
+  body.sequence = contact::elimination(body_paths, cell_nodes, static_cast<int>(body.nodes.size()) - 1);
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
   for (const int c : layout.body_cells[b]) {
     const auto half = half_stiffness(cells[c].compliance, cells[c].loads);
@@ -187,25 +193,27 @@ template <int dim> struct Solver<dim>::Factorised {
   Layout layout;
   std::vector<Cell> cells;
   contact::Bodies bodies;
-  double assemble;  ///< seconds
+  double order, assemble;  ///< seconds
 };
 
 template <int dim> Solver<dim>::Solver(const Problem<dim>& problem) {
-  const Clock clock;
+  Clock clock;
+  const std::vector<std::uint64_t> paths = scene::dissect(problem.mesh);
+  const double dissected = clock.lap();
   Layout layout = lay_out(problem);
   std::vector<Cell> cells = make_cells(problem, layout);
   std::vector<contact::System> systems;
   for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
-    systems.push_back(assemble(problem, layout, cells, static_cast<int>(b)));
+    systems.push_back(assemble(problem, layout, cells, paths, static_cast<int>(b)));
   set_contact_rows(problem, layout, systems);
-  const double assembled = clock.seconds();
+  const double assembled = clock.lap();
   factorised_ = std::make_shared<const Factorised>(
-      Factorised{std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), assembled});
+      Factorised{std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), dissected, assembled});
 }
 
 template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
   const Clock clock;
-  const auto& [layout, cells, bodies, assembled] = *factorised_;
+  const auto& [layout, cells, bodies, dissected, assembled] = *factorised_;
   if (lay_out(problem).body_nodes != layout.body_nodes ||
       2 * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
     throw std::invalid_argument(
@@ -237,6 +245,7 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) result.closed[i / 2] = 1;
   result.statistics = contact::statistics(bodies, solution);
+  result.statistics.seconds.order += dissected;
   result.statistics.seconds.assemble = assembled + of_data;
   return result;
 }

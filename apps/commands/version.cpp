@@ -4,7 +4,6 @@
 #include <bracket/version.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <metis.h>
 #include <suitesparse/cholmod.h>
 
 #include <Eigen/Core>
@@ -24,11 +23,10 @@ std::string blas() {
 std::string version_text() {
   return fmt::format(
       "bracket {}\n"
-      "deal.II {}, Eigen {}.{}.{}, CHOLMOD {}.{}.{}, METIS {}.{}.{}\n"
+      "deal.II {}, Eigen {}.{}.{}, CHOLMOD {}.{}.{}\n"
       "BLAS: {}\n",
       BRACKET_VERSION_STRING, DEAL_II_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-      CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION, METIS_VER_MAJOR, METIS_VER_MINOR,
-      METIS_VER_SUBMINOR, blas());
+      CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION, blas());
 }
 
 }  // namespace bracket::apps
