@@ -114,7 +114,11 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   if (stiffness.rows() == 0) return true;
   cholmod_sparse matrix = view(stiffness);
-  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common)) throw std::bad_alloc();
+  // CHOLMOD asks OpenMP for four threads for every supernode, whatever else runs: they wait for each other in loops.
+  int done = 0;
+#pragma omp teams num_teams(1) thread_limit(1)
+  done = cholmod_factorize(&matrix, handle_->factor, &handle_->common);
+  if (!done) throw std::bad_alloc();
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
