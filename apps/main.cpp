@@ -11,6 +11,7 @@
 #include <iostream>
 #include <new>
 
+#include "apps/commands/blas.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/say.h"
 #include "apps/commands/version.h"
@@ -169,6 +170,7 @@ int main(int argc, char** argv) {
   const bool as_json = std::any_of(argv + std::min(argc, 1), argv + argc,
                                    [](const char* word) { return word == std::string("--json"); });
   try {
+    bracket::apps::choose_blas_kernels();
     const Ending ending = perform(argc, argv);
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0) return fail(Status::input, "cannot write to standard output");

@@ -2,7 +2,7 @@
 # Installs the Debian packages that are missing. Sourced by apps/run.sh and, with $more_packages, by tests/run.sh.
 
 packages="g++ cmake ninja-build lld
-  libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libmetis-dev libopenblas0-pthread libopenblas-dev libboost-dev
+  libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas0-pthread libopenblas-dev libboost-dev
   libvtk9-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev
   gnuplot-nox ${more_packages:-}"
 

@@ -213,7 +213,8 @@ Bodies::Bodies(std::vector<System> systems) {
     const System& body = made.systems[b];
     assert(body.stiffness.isCompressed() && body.rows.rows() == m);
     const std::vector<int> contact = contact_unknowns(body.rows);
-    made.condensed.push_back({pins(made.bases[b].basis, contact), Factor(body.stiffness, body.nodes, contact)});
+    made.condensed.push_back(
+        {pins(made.bases[b].basis, contact), Factor(body.stiffness, body.nodes, body.sequence, contact)});
     made.seconds.order += watch.lap();
     const std::vector<int>& pinned = made.condensed[b].pinned;
     Factor& factor = made.condensed[b].factor;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -15,10 +16,11 @@ namespace bracket::contact {
 /// One body: K u = f − Bᵀ p, where u are its unknowns, f the load and p the multipliers of all contact rows.
 struct System {
   Eigen::SparseMatrix<double> stiffness;  ///< K, n × n, lower triangle; its kernel is spanned by `rigid`
-  std::vector<int> nodes;            ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours (they are ordered
-                                     ///< as one); begins with 0, ends with n
+  std::vector<int> nodes;  ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours; begins with 0, ends
+                           ///< with n
   Eigen::SparseMatrix<double> rows;  ///< B, m × n; the approach is r = Σ B u over the bodies
   Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
+  std::vector<int> sequence;         ///< in which the nodes are eliminated, but for contact's; empty: as they are
 };
 
 /// Seconds spent, by phase.
@@ -75,7 +77,7 @@ class Bodies {
  public:
   /// Factorises them, the unknowns that rows touch last.
   /// \pre at least one; matrices compressed, their rows sorted
-  /// \throw std::bad_alloc, also where it is CHOLMOD or METIS that the memory does not suffice for; so below
+  /// \throw std::bad_alloc, also where it is CHOLMOD that the memory does not suffice for; so below
   explicit Bodies(std::vector<System> systems);
   Bodies(Bodies&&) noexcept;
   Bodies& operator=(Bodies&&) noexcept;
@@ -134,6 +136,13 @@ struct Balance {
 /// Non-negative least squares for Gᵀp = e; ends after finitely many steps.
 /// \param rows G, m × k   \param load e, k   \param explained residual that is taken for rounding
 Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double explained);
+
+/// An order of elimination with little fill: what each part of a nested dissection has to itself, before what separates
+/// it from the next one.
+/// \param cell_paths of each cell, from the highest bit on: into which of two parts it belongs, of these again, …; a
+/// cell
+///     is a part of its own   \param cell_nodes as in Assembly
+std::vector<int> elimination(std::span<const std::uint64_t> cell_paths, std::span<const int> cell_nodes, int n_nodes);
 
 /// Sums dense symmetric cell matrices into a sparse one. The pattern is laid out once, from nodes.
 class Assembly {

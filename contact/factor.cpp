@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "contact/contact.h"
-#include "contact/order.h"
 
 namespace bracket::contact {
 namespace {
@@ -60,6 +59,20 @@ struct Supernodes {
   }
 };
 
+/// The unknown that comes k-th.
+std::vector<int> order(const std::vector<int>& nodes, const std::vector<int>& sequence, const std::vector<int>& last,
+                       const std::vector<char>& is_last) {
+  std::vector<int> result;
+  result.reserve(is_last.size());
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    const int node = sequence.empty() ? static_cast<int>(k) : sequence[k];
+    for (int i = nodes[node]; i < nodes[node + 1]; ++i)
+      if (!is_last[i]) result.push_back(i);
+  }
+  result.insert(result.end(), last.begin(), last.end());
+  return result;
+}
+
 }  // namespace
 
 struct Factor::Handle {
@@ -87,12 +100,12 @@ Factor& Factor::operator=(Factor&&) noexcept = default;
 Factor::~Factor() = default;
 
 Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes,
-               const std::vector<int>& last)
+               const std::vector<int>& sequence, const std::vector<int>& last)
     : handle_(std::make_unique<Handle>()) {
   if (stiffness.rows() == 0) return;  // CHOLMOD takes no empty matrix
   handle_->is_last.assign(stiffness.rows(), 0);
   for (int i : last) handle_->is_last[i] = 1;
-  std::vector<int> permutation = order(stiffness, nodes, last);
+  std::vector<int> permutation = order(nodes, sequence, last, handle_->is_last);
   cholmod_sparse matrix = view(stiffness);
   handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
   if (!handle_->factor) throw std::bad_alloc();
@@ -101,7 +114,11 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   if (stiffness.rows() == 0) return true;
   cholmod_sparse matrix = view(stiffness);
-  if (!cholmod_factorize(&matrix, handle_->factor, &handle_->common)) throw std::bad_alloc();
+  // CHOLMOD asks OpenMP for four threads for every supernode, whatever else runs: they wait for each other in loops.
+  int done = 0;
+#pragma omp teams num_teams(1) thread_limit(1)
+  done = cholmod_factorize(&matrix, handle_->factor, &handle_->common);
+  if (!done) throw std::bad_alloc();
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.

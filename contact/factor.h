@@ -18,8 +18,10 @@ struct Trailing {
 class Factor {
  public:
   /// Orders the unknowns, `last` behind all others, and lays out the factor.
-  /// \param stiffness K, lower triangle, rows sorted   \param nodes as in Body   \param last without repetition
-  Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes, const std::vector<int>& last);
+  /// \param stiffness K, lower triangle, rows sorted   \param nodes, sequence as in System
+  /// \param last without repetition
+  Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& nodes, const std::vector<int>& sequence,
+         const std::vector<int>& last);
   Factor(Factor&&) noexcept;
   Factor& operator=(Factor&&) noexcept;
   ~Factor();

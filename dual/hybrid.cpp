@@ -5,6 +5,7 @@
 #include "contact/clock.h"
 #include "dual/cells.h"
 #include "dual/dual.h"
+#include "scene/mesh/dissection.h"
 
 namespace bracket::dual {
 
@@ -85,15 +86,19 @@ Eigen::MatrixXd rigid_motions(const Problem<dim>& problem, const Layout& layout,
   return rigid;
 }
 
-/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave.
+/// Stiffness for edge displacements, k = G A⁻¹ Gᵀ summed, and what the supports leave. \param paths scene::dissect()
 template <int degree, int dim>
 contact::System assemble(const Problem<dim>& problem, const Layout& layout, const std::vector<Cell<degree>>& cells,
-                         int b) {
+                         const std::vector<std::uint64_t>& paths, int b) {
   std::vector<int> cell_nodes;
-  for (const int c : layout.body_cells[b])
+  std::vector<std::uint64_t> body_paths;
+  for (const int c : layout.body_cells[b]) {
+    body_paths.push_back(paths[c]);
     for (const int e : problem.mesh.cell_edges[c]) cell_nodes.push_back(layout.edges[e].node);
+  }
   contact::System body;
   body.nodes = layout.body_nodes[b];
+  body.sequence = contact::elimination(body_paths, cell_nodes, static_cast<int>(body.nodes.size()) - 1);
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
   for (const int c : layout.body_cells[b]) {
     const auto half = half_stiffness<degree>(cells[c].compliance, cells[c].loads);
@@ -200,25 +205,27 @@ template <int degree, int dim> struct OfDegree {
   Layout layout;
   std::vector<Cell<degree>> cells;
   contact::Bodies bodies;
-  double assemble;  ///< seconds
+  double order, assemble;  ///< seconds
 };
 
 template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<dim>& problem) {
-  const Clock clock;
+  Clock clock;
+  const std::vector<std::uint64_t> paths = scene::dissect(problem.mesh);
+  const double dissected = clock.lap();
   Layout layout = lay_out(problem, degree);
   std::vector<Cell<degree>> cells = make_cells<degree>(problem, layout);
   std::vector<contact::System> systems;
   for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
-    systems.push_back(assemble<degree>(problem, layout, cells, static_cast<int>(b)));
+    systems.push_back(assemble<degree>(problem, layout, cells, paths, static_cast<int>(b)));
   set_contact_rows(problem, layout, systems);
-  const double assembled = clock.seconds();
-  return {std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), assembled};
+  const double assembled = clock.lap();
+  return {std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), dissected, assembled};
 }
 
 template <int degree, int dim>
 Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem, const std::vector<char>& closed) {
   const Clock clock;
-  const auto& [layout, cells, bodies, assembled] = of;
+  const auto& [layout, cells, bodies, dissected, assembled] = of;
   constexpr int rows = degree + 1;  // of a contact facet
   if (lay_out(problem, degree).body_nodes != layout.body_nodes ||
       rows * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
@@ -250,6 +257,7 @@ Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem,
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) result.closed[i / rows] = 1;
   result.statistics = contact::statistics(bodies, solution);
+  result.statistics.seconds.order += dissected;
   result.statistics.seconds.assemble = assembled + of_data;
   return result;
 }

@@ -6,6 +6,7 @@
 #include "primal/nodes.h"
 #include "primal/primal.h"
 #include "primal/systems.h"
+#include "scene/mesh/dissection.h"
 
 namespace bracket::primal {
 
@@ -66,23 +67,25 @@ template <int dim> struct Solver<dim>::Factorised {
   std::vector<Row> rows;
   std::vector<Eigen::SparseMatrix<double>> held;  ///< as Systems::held
   contact::Bodies bodies;
-  double assemble;  ///< seconds
+  double order, assemble;  ///< seconds
 };
 
 template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, bool any_gap) {
-  const Clock clock;
+  Clock clock;
+  const std::vector<std::uint64_t> paths = scene::dissect(problem.mesh);
+  const double dissected = clock.lap();
   Nodes<dim> nodes = make_nodes(problem, degree);
   std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
-  Systems<dim> systems = assemble(problem, nodes, rows);
-  const double assembled = clock.seconds();
+  Systems<dim> systems = assemble(problem, nodes, rows, paths);
+  const double assembled = clock.lap();
   factorised_ =
       std::make_shared<const Factorised>(Factorised{std::move(nodes), any_gap, std::move(rows), std::move(systems.held),
-                                                    contact::Bodies(std::move(systems.body)), assembled});
+                                                    contact::Bodies(std::move(systems.body)), dissected, assembled});
 }
 
 template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
   const Clock clock;
-  const auto& [laid_out, any_gap, of_rows, held, bodies, assembled] = *factorised_;
+  const auto& [laid_out, any_gap, of_rows, held, bodies, dissected, assembled] = *factorised_;
   const Nodes<dim> nodes = make_nodes(problem, laid_out.degree);
   const std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
   if (nodes.body_nodes != laid_out.body_nodes ||
@@ -115,6 +118,7 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
     if (solution.active[i]) result.closed[rows[i].facet] = 1;
 
   result.statistics = contact::statistics(bodies, solution);
+  result.statistics.seconds.order += dissected;
   result.statistics.seconds.assemble = assembled + of_data;
   return result;
 }

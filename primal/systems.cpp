@@ -113,13 +113,16 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
 }  // namespace
 
 template <int dim>
-Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows) {
+Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows,
+                      const std::vector<std::uint64_t>& paths) {
   const auto& mesh = problem.mesh;
   Systems<dim> systems;
   systems.body.resize(mesh.components.size());
   std::vector<std::vector<int>> numbers(mesh.components.size());
+  std::vector<std::vector<std::uint64_t>> body_paths(mesh.components.size());
   int per_cell = 0;  // vertices, edges and cells that nodes are numbered by
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    body_paths[mesh.cell_component[c]].push_back(paths[c]);
     std::vector<int> own;
     for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c))) own.push_back(nodes.node[i].number);
     std::sort(own.begin(), own.end());
@@ -131,6 +134,7 @@ Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, cons
   for (std::size_t b = 0; b < systems.body.size(); ++b) {
     contact::System& body = systems.body[b];
     body.nodes = nodes.body_nodes[b];
+    body.sequence = contact::elimination(body_paths[b], numbers[b], static_cast<int>(body.nodes.size()) - 1);
     contact::Assembly assembly(body.nodes, numbers[b], per_cell);
     Triplets held;
     for_each_cell<dim>(problem, static_cast<int>(b), nodes.degree, [&](int cell, const Eigen::MatrixXd& stiffness) {
@@ -161,7 +165,8 @@ template <int dim> Eigen::VectorXd prescribed(const Nodes<dim>& nodes) {
 }
 
 template struct Systems<2>;
-template Systems<2> assemble(const Problem<2>&, const Nodes<2>&, const std::vector<Row>&);
+template Systems<2> assemble(const Problem<2>&, const Nodes<2>&, const std::vector<Row>&,
+                             const std::vector<std::uint64_t>&);
 template std::vector<Eigen::VectorXd> loads(const Problem<2>&, const Nodes<2>&);
 template Eigen::VectorXd prescribed(const Nodes<2>&);
 

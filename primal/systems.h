@@ -13,9 +13,10 @@ template <int dim> struct Systems {
   /// what it takes off the load is this times them.
   std::vector<Eigen::SparseMatrix<double>> held;
 };
-/// \param rows contact_rows()
+/// \param rows contact_rows()   \param paths scene::dissect()
 template <int dim>
-Systems<dim> assemble(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows);
+Systems<dim> assemble(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, const std::vector<Row>& rows,
+                      const std::vector<std::uint64_t>& paths);
 
 /// ∫ F·φ and ∫ P·φ over Γ_τ of each body, exact for constant F and linear P.
 template <int dim> std::vector<Eigen::VectorXd> loads(const scene::Problem<dim>& problem, const Nodes<dim>& nodes);

@@ -41,27 +41,32 @@ Scene<2> pile(const std::vector<int>& edges, double height, double lowering, dou
   return s;
 }
 
+/// The energy of a pile of height 2, lowered by 0.1.
+double energy_of_pile(double poisson) { return 0.5 * 2e6 / (1 - poisson * poisson) * 0.1 * 0.1 / 2; }
+
+double relative_width(const std::vector<int>& edges, double poisson, double degrees) {
+  const auto outcome = run_turned(pile(edges, 2, 0.1, poisson), degrees);
+  EXPECT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+  // Turned, the exact energy is that of coordinates before they were rounded.
+  const double energy = energy_of_pile(poisson), slack = degrees == 0 ? 0 : 1e-13 * energy;
+  EXPECT_LE(outcome.lower, energy + slack);
+  EXPECT_GE(outcome.upper, energy - slack);
+  return (outcome.upper - outcome.lower) / energy;
+}
+
 // One stress everywhere is in both spaces, on every mesh: the bounds are the energy. SSNP121 is the one of height 2,
 // lowered by 0.1, with ν = 0: there p = 1e5.
 TEST(Sides, PatchesOfAnyEdgesAreExact) {
   for (const auto& edges : {std::vector{4, 6}, {6, 4}, {67, 4}, {4, 67}, {3, 8, 5}})
-    for (const double poisson : {0.0, 0.3})
-      for (const double degrees : {0.0, 37.0}) {
-        SCOPED_TRACE(testing::Message() << edges[0] << " below " << edges[1] << ", turned " << degrees);
-        const double height = 2, lowering = 0.1;
-        const double energy = 0.5 * 2e6 / (1 - poisson * poisson) * lowering * lowering / height;
-        const auto outcome = run_turned(pile(edges, height, lowering, poisson), degrees);
-        ASSERT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
-        // Turned, the exact energy is that of coordinates before they were rounded.
-        const double slack = degrees == 0 ? 0 : 1e-13 * energy;
-        EXPECT_LE(outcome.lower, energy + slack);
-        EXPECT_GE(outcome.upper, energy - slack);
-        // What rounding of turned coordinates does to edges as short as these, it does to sides that match; either is
-        // one draw of it.
-        const std::vector<int> finest(edges.size(), std::ranges::max(edges));
-        const auto match = run_turned(pile(finest, height, lowering, poisson), degrees);
-        EXPECT_LE(outcome.upper - outcome.lower, std::max(1e-12 * energy, 2 * (match.upper - match.lower)));
-      }
+    for (const double degrees : {0.0, 37.0}) {
+      SCOPED_TRACE(testing::Message() << edges[0] << " below " << edges[1] << ", turned " << degrees);
+      // What rounding of turned coordinates does to edges as short as these, it does to sides that match; how much for
+      // one material is luck.
+      const std::vector<int> finest(edges.size(), std::ranges::max(edges));
+      const double matching = std::max(relative_width(finest, 0, degrees), relative_width(finest, 0.3, degrees));
+      for (const double poisson : {0.0, 0.3})
+        EXPECT_LE(relative_width(edges, poisson, degrees), std::max(1e-12, 2 * matching));  // two draws
+    }
 }
 
 /// A short block on a long one, with an eccentric load: part of the contact opens.

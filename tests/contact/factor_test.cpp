@@ -2,12 +2,9 @@
 #include "contact/factor.h"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 
-#include <set>
-#include <thread>
+#include <numeric>
 
-#include "contact/order.h"
 #include "tests/contact/truss.h"
 
 namespace bracket::contact {
@@ -30,64 +27,6 @@ Sparse random_matrix(int n_nodes, int n_edges, std::mt19937& random) {
   return lower(dense);
 }
 
-TEST(Order, IsAPermutationWithTheLastOnesLast) {
-  std::mt19937 random(4);
-  for (int n_nodes : {0, 1, 2, 30, 700}) {  // both ways to order
-    const Sparse matrix = n_nodes ? random_matrix(n_nodes, 3 * n_nodes, random) : Sparse(0, 0);
-    std::vector<int> last;
-    for (int i = 0; i < 2 * n_nodes; ++i)
-      if (random() % 10 == 0) last.push_back(i);
-    const std::vector<int> sequence = order(matrix, pairs(2 * n_nodes), last);
-    EXPECT_EQ(std::set<int>(sequence.begin(), sequence.end()).size(), static_cast<std::size_t>(2 * n_nodes));
-    EXPECT_EQ(std::vector<int>(sequence.end() - static_cast<std::ptrdiff_t>(last.size()), sequence.end()), last);
-  }
-}
-
-/// A square grid with nodes of two unknowns; beyond 500 nodes METIS orders it.
-Sparse grid_matrix(int side) {
-  std::vector<int> cells;
-  for (int i = 0; i + 1 < side; ++i)
-    for (int j = 0; j + 1 < side; ++j)
-      for (int node : {i * side + j, i * side + j + 1, (i + 1) * side + j, (i + 1) * side + j + 1})
-        cells.push_back(node);
-  return Assembly(pairs(2 * side * side), cells, 4).take();
-}
-
-void handle(int, siginfo_t*, void*) {}
-
-TEST(Order, LeavesSignalHandlersAsTheyWere) {
-  struct sigaction own {
-  }, before, after;
-  own.sa_sigaction = handle;
-  own.sa_flags = SA_SIGINFO | SA_RESTART;
-  sigaddset(&own.sa_mask, SIGUSR1);
-  for (const int signal : {SIGABRT, SIGTERM}) {
-    sigaction(signal, &own, &before);
-    order(grid_matrix(30), pairs(2 * 30 * 30), {});
-    sigaction(signal, &before, &after);
-    EXPECT_EQ(after.sa_sigaction, handle);
-    EXPECT_EQ(after.sa_flags & (SA_SIGINFO | SA_RESTART), own.sa_flags);
-    EXPECT_EQ(sigismember(&after.sa_mask, SIGUSR1), 1);
-  }
-}
-
-// METIS draws from the process's random numbers; two bodies may be ordered at once.
-TEST(Order, IsTheSameInTwoThreads) {
-  constexpr int side = 100;
-  const std::vector<int> nodes = pairs(2 * side * side);
-  const Sparse matrix = grid_matrix(side);
-  const std::vector<int> alone = order(matrix, nodes, {});
-  for (int trial = 0; trial < 5; ++trial) {
-    std::vector<int> one, two;
-    std::thread first([&] { one = order(matrix, nodes, {}); });
-    std::thread second([&] { two = order(matrix, nodes, {}); });
-    first.join();
-    second.join();
-    EXPECT_EQ(one, alone);
-    EXPECT_EQ(two, alone);
-  }
-}
-
 // Few edges leave the graph in pieces: then CHOLMOD mixes the last unknowns of one piece with others of the next.
 TEST(Factor, TrailingBlockIsTheFactorOfTheSchurComplement) {
   std::mt19937 random(5);
@@ -98,7 +37,10 @@ TEST(Factor, TrailingBlockIsTheFactorOfTheSchurComplement) {
     std::vector<int> last;
     for (int i = 0; i < 2 * n_nodes; ++i)
       if (random() % 6 == 0) last.push_back(i);
-    Factor factor(matrix, pairs(2 * n_nodes), last);
+    std::vector<int> sequence(n_nodes);
+    std::iota(sequence.begin(), sequence.end(), 0);
+    std::shuffle(sequence.begin(), sequence.end(), random);
+    Factor factor(matrix, pairs(2 * n_nodes), sequence, last);
     ASSERT_TRUE(factor.factorise(matrix));
     const Trailing trailing = factor.trailing();
     EXPECT_TRUE(std::is_permutation(last.begin(), last.end(), trailing.unknowns.begin(), trailing.unknowns.end()));
@@ -117,7 +59,7 @@ TEST(Factor, RefusesWhatIsNotDefinite) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> spring(0.5, 1.5);
   const auto definite = [](const MatrixXd& matrix) {
-    Factor factor(lower(matrix), pairs(matrix.rows()), {});
+    Factor factor(lower(matrix), pairs(matrix.rows()), {}, {});
     return factor.factorise(lower(matrix));
   };
   // 20 points on a line, springs between them: the last pivot is zero up to about 20 roundings, of either sign.
@@ -146,7 +88,7 @@ TEST(Factor, RefusesWhatIsNotDefinite) {
 }
 
 TEST(Factor, OfNothing) {
-  Factor factor(Sparse(0, 0), {0}, {});
+  Factor factor(Sparse(0, 0), {0}, {}, {});
   EXPECT_TRUE(factor.factorise(Sparse(0, 0)));
   EXPECT_EQ(factor.solve(VectorXd(0)).size(), 0);
   EXPECT_EQ(factor.trailing().lower.size(), 0);
