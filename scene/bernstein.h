@@ -95,6 +95,18 @@ template <class Value> Value value_on_triangle(std::vector<Value> c, int degree,
   return c.front();
 }
 
+/// The values of a degree's Bernstein polynomials at a point of a triangle, by its barycentric coordinates.
+inline std::vector<double> bernstein_values(int degree, const std::array<double, 3>& point) {
+  std::vector<double> values;
+  for (const auto& i : bernstein_indices(degree)) {
+    double value = binomial(degree, i[0]) * binomial(i[1] + i[2], i[1]);
+    for (int corner = 0; corner < 3; ++corner)
+      for (int k = 0; k < i[corner]; ++k) value *= point[corner];
+    values.push_back(value);
+  }
+  return values;
+}
+
 /// The same function of a triangle, one degree higher.
 template <class Number, class Value> std::vector<Value> raised_on_triangle(const std::vector<Value>& c, int degree) {
   std::vector<Value> result;

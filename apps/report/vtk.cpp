@@ -11,6 +11,7 @@
 
 #include "apps/report/assessment.h"
 #include "apps/report/samples.h"
+#include "scene/offsets.h"
 
 namespace bracket::apps {
 namespace {
@@ -132,6 +133,33 @@ std::vector<std::array<double, 3>> points_of(int order) {
   return points;
 }
 
+/// By which a cell's corners and coefficients count at a point of one of its parts.
+struct Weights {
+  std::array<double, 3> corner;
+  std::vector<double> displacement, of_displacement, equilibrated;
+};
+
+/// Of the points of a part's lattice, for each part.
+std::array<std::vector<Weights>, 3> weights_of(const std::vector<std::array<double, 3>>& lattice, int degree,
+                                               int stress_degree) {
+  std::array<std::vector<Weights>, 3> result;
+  for (int part = 0; part < 3; ++part)
+    for (const auto& of_part : lattice) {
+      std::array<double, 3> point = {of_part[2] / 3, of_part[2] / 3, of_part[2] / 3};
+      for (int corner = 0; corner < 2; ++corner) point[scene::Simplex<2>::facets[part][corner]] += of_part[corner];
+      result[part].push_back({point, scene::bernstein_values(degree, point),
+                              scene::bernstein_values(scene::stress_degree(degree), point),
+                              scene::bernstein_values(stress_degree, of_part)});
+    }
+  return result;
+}
+
+template <class Factors, class Values> auto sum(const Factors& factors, const Values& values) {
+  auto result = (factors[0] * values[0]).eval();
+  for (std::size_t i = 1; i < values.size(); ++i) result += factors[i] * values[i];
+  return result;
+}
+
 /// VTK's numbers for triangles: linear, quadratic, Lagrange's of the order that its points tell.
 int cell_type(int order) { return order == 1 ? 5 : order == 2 ? 22 : 69; }
 
@@ -151,20 +179,21 @@ std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displace
   grid.points.reserve(9 * lattice.size() * mesh.cells.size());
   for (auto* each : {&displacements, &of_displacement, &equilibrated})
     each->reserve(9 * lattice.size() * mesh.cells.size());
+  const auto weights = weights_of(lattice, displacement.degree, stress.degree);
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     const auto sigma = bounds::displacement_stress(problem, displacement, cell);
+    const auto offset = scene::offsets_on_cell(mesh, displacement, cell);
     const auto x = scene::positions(mesh, mesh.cells[cell]);
+    std::array<scene::Vector<2>, 3> moved;
+    for (int k = 0; k < 3; ++k) moved[k] = displacement.vertex[mesh.cells[cell][k]];
     for (int part = 0; part < 3; ++part) {
-      const auto own = scene::stress_of_part(stress, cell, part);
-      const std::vector<scene::Voigt<2>> lambda(own.begin(), own.end());
-      for (const auto& of_part : lattice) {
-        std::array<double, 3> point = {of_part[2] / 3, of_part[2] / 3, of_part[2] / 3};  // of the cell
-        for (int corner = 0; corner < 2; ++corner) point[scene::Simplex<2>::facets[part][corner]] += of_part[corner];
-        const scene::Vector<2> u = at(mesh, displacement, cell, point);
-        append(grid.points, point[0] * x[0] + point[1] * x[1] + point[2] * x[2]);
+      const auto lambda = scene::stress_of_part(stress, cell, part);
+      for (const Weights& weight : weights[part]) {
+        const scene::Vector<2> u = sum(weight.corner, moved) + sum(weight.displacement, offset);
+        append(grid.points, sum(weight.corner, x));
         append(displacements, {u.x(), u.y(), 0.0});
-        append(of_displacement, scene::value_on_triangle(sigma, scene::stress_degree(displacement.degree), point));
-        append(equilibrated, scene::value_on_triangle(lambda, stress.degree, of_part));
+        append(of_displacement, sum(weight.of_displacement, sigma));
+        append(equilibrated, sum(weight.equilibrated, lambda));
       }
       body.push_back(mesh.cell_body[cell]);
       share.push_back(static_cast<float>(indicator.cell[cell]));
