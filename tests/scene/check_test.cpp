@@ -115,7 +115,7 @@ std::vector<Wrong> of_settings() {
   };
 }
 
-void expect_refused(const std::function<void()>& action, const std::vector<std::string>& named) {
+void expect_fault(const std::function<void()>& action, const std::vector<std::string>& named) {
   const auto error = error_of(action);
   ASSERT_TRUE(error.has_value()) << named[0] << ": accepted";
   EXPECT_EQ(error->status(), Status::input) << error->what();
@@ -136,9 +136,9 @@ TEST(Check, WhatAProgramGetsWrongIsRefused) {
     for (const auto& [change, named] : all) {
       Scene<2> scene = right();
       change(scene);
-      expect_refused([&] { check(scene); }, named);
-      expect_refused([&] { build_mesh(scene); }, named);
-      if (!mesh_matters) expect_refused([&] { fix_data(scene, mesh); }, named);
+      expect_fault([&] { check(scene); }, named);
+      expect_fault([&] { build_mesh(scene); }, named);
+      if (!mesh_matters) expect_fault([&] { fix_data(scene, mesh); }, named);
     }
   }
 }
@@ -148,7 +148,7 @@ TEST(Check, SettingsAreCheckedAlone) {
   for (const auto& [change, named] : of_settings()) {
     Scene<2> scene;
     change(scene);
-    expect_refused([&, s = scene] { check_settings(s.refine, s.solve); }, named);
+    expect_fault([&, s = scene] { check_settings(s.refine, s.solve); }, named);
   }
 }
 
@@ -163,10 +163,10 @@ TEST(Check, NamesThePlace) {
   Scene<2> scene = right();
   scene.blocks[1].where = "here";
   scene.blocks[1].cells[0] = 0;
-  expect_refused([&] { check(scene); }, {"here: mesh.block.cells"});
+  expect_fault([&] { check(scene); }, {"here: mesh.block.cells"});
   scene = right();
   scene.solve.degree = 5;
-  expect_refused([&] { check(scene); }, {"the scene: solve.degree"});
+  expect_fault([&] { check(scene); }, {"the scene: solve.degree"});
 }
 
 }  // namespace
