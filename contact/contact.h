@@ -20,7 +20,7 @@ struct System {
                            ///< with n
   Eigen::SparseMatrix<double> rows;  ///< B, m × n; the approach is r = Σ B u over the bodies
   Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
-  std::vector<int> sequence = {};         ///< in which the nodes are eliminated, but for contact's; empty: as they are
+  std::vector<int> sequence = {};    ///< in which the nodes are eliminated, but for contact's; empty: as they are
 };
 
 /// Seconds spent, by phase.
