@@ -124,13 +124,6 @@ std::optional<std::array<double, 3>> inside(const scene::Mesh<2>& mesh, int cell
   return twice_area;
 }
 
-Vector<2> displacement_at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
-                          const std::array<double, 3>& l) {
-  Vector<2> u = scene::value_on_triangle(scene::offsets_on_cell(mesh, displacement, cell), displacement.degree, l);
-  for (int k = 0; k < 3; ++k) u += l[k] * displacement.vertex[mesh.cells[cell][k]];
-  return u;
-}
-
 /// Part k is where coordinate k is the least; there x = 3 l_k centroid + Σ (l_i − l_k) vertex i.
 Voigt<2> stress_at(const scene::Stress<2>& stress, int cell, const std::array<double, 3>& l) {
   const int k = static_cast<int>(std::min_element(l.begin(), l.end()) - l.begin());
@@ -149,7 +142,7 @@ std::optional<PointValues<dim>> values_at(const scene::Problem<dim>& problem,
     const auto l = inside(problem.mesh, cell, x);
     if (!l) continue;
     const auto s = displacement_stress(problem, displacement, cell);
-    return PointValues<dim>{cell, displacement_at(problem.mesh, displacement, cell, *l),
+    return PointValues<dim>{cell, scene::displacement_at(problem.mesh, displacement, cell, *l),
                             scene::value_on_triangle(s, scene::stress_degree(displacement.degree), *l),
                             stress_at(stress, cell, *l)};
   }

@@ -26,7 +26,7 @@ std::array<Vector<2>, 2> ends(const Triangle& t, int e) {
 template <int degree> Eigen::Matrix<double, scene::n_bernstein(degree), scene::n_bernstein(degree)> bernstein_means() {
   constexpr int n = scene::n_bernstein(degree);
   Eigen::Matrix<double, n, n> means;
-  const auto indices = scene::bernstein_indices(degree);
+  const auto& indices = scene::bernstein_indices(degree);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) means(i, j) = scene::number<double>(scene::bernstein_mean(indices[i], indices[j]));
   return means;

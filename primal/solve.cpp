@@ -24,7 +24,7 @@ scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>&
   field.vertex.resize(mesh.vertices.size());
   field.edge.resize(scene::n_inside_edge(degree) * mesh.edges.size());
   const auto& points = scene::control_points(degree);
-  const auto indices = scene::bernstein_indices(degree);
+  const auto& indices = scene::bernstein_indices(degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
     const Eigen::VectorXd& own = unknowns[mesh.cell_component[c]];

@@ -52,7 +52,7 @@ template <int dim> void set_rigid_motions(const Problem<dim>& problem, const Nod
     const int body = mesh.cell_component[c];
     if (motions[body].empty()) continue;
     const std::vector<int> list = cell_nodes(mesh, nodes, static_cast<int>(c));
-    const auto indices = scene::bernstein_indices(nodes.degree);
+    const auto& indices = scene::bernstein_indices(nodes.degree);
     const auto x = scene::positions(mesh, mesh.cells[c]);
     for (std::size_t i = 0; i < list.size(); ++i) {
       Vector<dim> at = x[0];

@@ -15,19 +15,19 @@ constexpr int n_bernstein(int degree) { return (degree + 1) * (degree + 2) / 2; 
 /// The place of the coefficient (degree − i_1 − i_2, i_1, i_2).
 constexpr int bernstein_place(int degree, int i1, int i2) { return i2 * (2 * degree + 3 - i2) / 2 + i1; }
 
-/// All (i_0, i_1, i_2) with this sum, in their order.
-inline std::vector<std::array<int, 3>> bernstein_indices(int degree) {
-  std::vector<std::array<int, 3>> indices;
-  for (int i2 = 0; i2 <= degree; ++i2)
-    for (int i1 = 0; i1 + i2 <= degree; ++i1) indices.push_back({degree - i1 - i2, i1, i2});
-  return indices;
-}
+/// All (i_0, i_1, i_2) with this sum, in their order. \param degree up to 5: one more than displacements have
+const std::vector<std::array<int, 3>>& bernstein_indices(int degree);
 inline int bernstein_place(const std::array<int, 3>& i) { return bernstein_place(i[0] + i[1] + i[2], i[1], i[2]); }
 
 constexpr int binomial(int n, int k) {
   int result = 1;
   for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
   return result;
+}
+
+/// n! / (i_0! i_1! i_2!), n their sum.
+constexpr int trinomial(const std::array<int, 3>& i) {
+  return binomial(i[0] + i[1] + i[2], i[0]) * binomial(i[1] + i[2], i[1]);
 }
 
 /// v · part / whole, without rounding where that is v.
@@ -84,14 +84,19 @@ template <class Value> Value value_on_segment(std::vector<Value> c, double t) {
   return c.front();
 }
 
+/// One step of de Casteljau's on a triangle, at a point by its barycentric coordinates: to degree n, from n + 1.
+template <class Number, class Value>
+void step_of_de_casteljau(std::vector<Value>& c, int n, const std::array<Number, 3>& point) {
+  for (int i2 = 0; i2 <= n; ++i2)
+    for (int i1 = 0; i1 + i2 <= n; ++i1)
+      c[bernstein_place(n, i1, i2)] = point[0] * c[bernstein_place(n + 1, i1, i2)] +
+                                      point[1] * c[bernstein_place(n + 1, i1 + 1, i2)] +
+                                      point[2] * c[bernstein_place(n + 1, i1, i2 + 1)];
+}
+
 /// The value of a function on a triangle at a point, by its barycentric coordinates.
 template <class Value> Value value_on_triangle(std::vector<Value> c, int degree, const std::array<double, 3>& point) {
-  for (int n = degree - 1; n >= 0; --n)
-    for (int i2 = 0; i2 <= n; ++i2)
-      for (int i1 = 0; i1 + i2 <= n; ++i1)
-        c[bernstein_place(n, i1, i2)] = point[0] * c[bernstein_place(n + 1, i1, i2)] +
-                                        point[1] * c[bernstein_place(n + 1, i1 + 1, i2)] +
-                                        point[2] * c[bernstein_place(n + 1, i1, i2 + 1)];
+  for (int n = degree - 1; n >= 0; --n) step_of_de_casteljau(c, n, point);
   return c.front();
 }
 
@@ -99,7 +104,7 @@ template <class Value> Value value_on_triangle(std::vector<Value> c, int degree,
 inline std::vector<double> bernstein_values(int degree, const std::array<double, 3>& point) {
   std::vector<double> values;
   for (const auto& i : bernstein_indices(degree)) {
-    double value = binomial(degree, i[0]) * binomial(i[1] + i[2], i[1]);
+    double value = trinomial(i);
     for (int corner = 0; corner < 3; ++corner)
       for (int k = 0; k < i[corner]; ++k) value *= point[corner];
     values.push_back(value);
@@ -126,16 +131,24 @@ template <class Number, class Value> std::vector<Value> raised_on_triangle(const
   return result;
 }
 
-/// The function on the part of a triangle that is left when its corner `replaced` is moved to the centroid: its
-/// coefficients there, in the same order of corners.
+/// The function on the part of a triangle between the side opposite to a corner and the centroid. The part's corners
+/// are those after it, in their order, and the centroid.
 template <class Number, class Value>
-std::vector<Value> on_centroid_part(std::vector<Value> c, int degree, int replaced) {
+std::vector<Value> on_centroid_part(std::vector<Value> c, int degree, int opposite) {
   // Each step of de Casteljau's at the centroid makes one of the corners that a coefficient counts the new one.
-  std::vector<Value> result = c;
+  std::vector<Value> result(c.size());
+  const auto take = [&](int step) {  // what counts the centroid so often, and the corner not at all
+    for (int i = 0; i <= degree - step; ++i) {
+      std::array<int, 3> from = {0, 0, 0};
+      from[(opposite + 1) % 3] = degree - step - i;
+      from[(opposite + 2) % 3] = i;
+      result[bernstein_place(degree, i, step)] = c[bernstein_place(from)];
+    }
+  };
+  take(0);
   for (int step = 1; step <= degree; ++step) {
-    const int n = degree - step;
     std::vector<Value> means;
-    for (const auto& i : bernstein_indices(n)) {
+    for (const auto& i : bernstein_indices(degree - step)) {
       std::array<std::array<int, 3>, 3> above = {i, i, i};
       for (int corner = 0; corner < 3; ++corner) ++above[corner][corner];
       const Value sum =
@@ -143,12 +156,7 @@ std::vector<Value> on_centroid_part(std::vector<Value> c, int degree, int replac
       means.push_back(share<Number, Value>(sum, 1, 3));
     }
     c = std::move(means);
-    for (const auto& i : bernstein_indices(n)) {
-      if (i[replaced] != 0) continue;
-      std::array<int, 3> place = i;
-      place[replaced] = step;
-      result[bernstein_place(place)] = c[bernstein_place(i)];
-    }
+    take(step);
   }
   return result;
 }
@@ -162,14 +170,7 @@ std::vector<Value> on_triangle(const std::vector<Value>& c, int degree,
     std::vector<Value> values = c;
     int n = degree;
     for (int corner = 0; corner < 3; ++corner)
-      for (int step = 0; step < of[corner]; ++step) {
-        --n;
-        for (int i2 = 0; i2 <= n; ++i2)
-          for (int i1 = 0; i1 + i2 <= n; ++i1)
-            values[bernstein_place(n, i1, i2)] = corners[corner][0] * values[bernstein_place(n + 1, i1, i2)] +
-                                                 corners[corner][1] * values[bernstein_place(n + 1, i1 + 1, i2)] +
-                                                 corners[corner][2] * values[bernstein_place(n + 1, i1, i2 + 1)];
-      }
+      for (int step = 0; step < of[corner]; ++step) step_of_de_casteljau(values, --n, corners[corner]);
     result.push_back(values.front());
   }
   return result;
@@ -178,9 +179,6 @@ std::vector<Value> on_triangle(const std::vector<Value>& c, int degree,
 /// The mean over a triangle of the product of two of its Bernstein polynomials of a degree.
 constexpr Fraction bernstein_mean(const std::array<int, 3>& i, const std::array<int, 3>& k) {
   const int degree = i[0] + i[1] + i[2];
-  const auto trinomial = [](const std::array<int, 3>& of) {
-    return binomial(of[0] + of[1] + of[2], of[0]) * binomial(of[1] + of[2], of[1]);
-  };
   return {trinomial(i) * trinomial(k),
           trinomial({i[0] + k[0], i[1] + k[1], i[2] + k[2]}) * (2 * degree + 1) * (degree + 1)};
 }

@@ -24,6 +24,12 @@ std::vector<Vector<2>> offsets_on_cell(const Mesh<2>& mesh, const Displacement<2
   return coefficients;
 }
 
+Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cell, const std::array<double, 3>& point) {
+  Vector<2> value = value_on_triangle(offsets_on_cell(mesh, u, cell), u.degree, point);
+  for (int k = 0; k < 3; ++k) value += point[k] * u.vertex[mesh.cells[cell][k]];
+  return value;
+}
+
 std::vector<Vector<2>> offsets_on_facet(const Mesh<2>& mesh, const Displacement<2>& u, int facet) {
   const auto& at = mesh.boundary[facet];
   auto inside = offsets_inside_edge<double, Vector<2>>(mesh, u, u.vertex, plain_difference, at.edge);

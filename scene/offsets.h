@@ -37,7 +37,7 @@ template <class Number, class Value> std::vector<Value> coefficients_inside(cons
 template <class Number, class Value>
 std::vector<Value> coefficients_inside(int degree, const std::vector<Value>& coefficients,
                                        std::vector<Value> at_points) {
-  const auto indices = bernstein_indices(degree);
+  const auto& indices = bernstein_indices(degree);
   const auto& points = control_points(degree);
   int whole = 1;
   for (int k = 0; k < degree; ++k) whole *= degree;
@@ -48,7 +48,7 @@ std::vector<Value> coefficients_inside(int degree, const std::vector<Value>& coe
     for (std::size_t c = 0; c < indices.size(); ++c) {
       if (points[c].on != ControlPoint::On::edge) continue;
       const auto& i = indices[c];
-      int part = binomial(degree, i[0]) * binomial(i[1] + i[2], i[1]);  // of the Bernstein polynomial there
+      int part = trinomial(i);  // of the Bernstein polynomial there
       for (int corner = 0; corner < 3; ++corner)
         for (int k = 0; k < i[corner]; ++k) part *= indices[node][corner];
       value = value - number<Number>(Fraction{part, whole}) * coefficients[c];
@@ -99,7 +99,7 @@ template <class Number, class Value, class Between>
 std::vector<Value> offsets_inside_cell(const Mesh<2>& mesh, const Displacement<2>& u,
                                        const std::vector<Vector<2>>& vertex, const Between& between, int cell,
                                        const std::vector<Value>& coefficients) {
-  const auto indices = bernstein_indices(u.degree);
+  const auto& indices = bernstein_indices(u.degree);
   const auto& points = control_points(u.degree);
   std::vector<Value> beside;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -136,5 +136,8 @@ inline Vector<2> plain_difference(const Vector<2>& a, const Vector<2>& b) { retu
 std::vector<Vector<2>> offsets_on_cell(const Mesh<2>& mesh, const Displacement<2>& u, int cell);
 /// Those of a boundary facet, from its vertex 0 to its vertex 1: zero at both.
 std::vector<Vector<2>> offsets_on_facet(const Mesh<2>& mesh, const Displacement<2>& u, int facet);
+
+/// u at a point of a cell, by its barycentric coordinates.
+Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cell, const std::array<double, 3>& point);
 
 }  // namespace bracket::scene

@@ -8,6 +8,7 @@
 #include "apps/plots/pictures.h"
 #include "apps/plots/raster.h"
 #include "apps/report/samples.h"
+#include "scene/offsets.h"
 
 namespace bracket::apps {
 namespace {
@@ -78,7 +79,7 @@ std::vector<Line> outline(const bounds::Outcome<2>& run, double factor) {
       point[scene::Simplex<2>::facets[facet.local][0]] = 1 - t;
       point[scene::Simplex<2>::facets[facet.local][1]] = t;
       line.push_back((1 - t) * mesh.vertices[a] + t * mesh.vertices[b] +
-                     factor * at(mesh, run.displacement, facet.cell, point));
+                     factor * scene::displacement_at(mesh, run.displacement, facet.cell, point));
     }
   }
   return lines;
@@ -110,7 +111,7 @@ std::array<Tile, 6> stress_tiles(const bounds::Outcome<2>& run, int cell, double
   constexpr std::array<double, 3> centroid = {1.0 / 3, 1.0 / 3, 1.0 / 3};
   const scene::Vector<2> centre =
       (mesh.vertices[vertices[0]] + mesh.vertices[vertices[1]] + mesh.vertices[vertices[2]]) / 3 +
-      factor * at(mesh, run.displacement, cell, centroid);
+      factor * scene::displacement_at(mesh, run.displacement, cell, centroid);
   std::array<Tile, 6> tiles;
   for (int part = 0; part < 3; ++part) {
     const int a = (part + 1) % 3, b = (part + 2) % 3;
@@ -129,8 +130,8 @@ std::array<Tile, 6> stress_tiles(const bounds::Outcome<2>& run, int cell, double
     };
     std::array<double, 3> half = {0, 0, 0};
     half[a] = half[b] = 0.5;
-    const scene::Vector<2> middle =
-        (mesh.vertices[vertices[a]] + mesh.vertices[vertices[b]]) / 2 + factor * at(mesh, run.displacement, cell, half);
+    const scene::Vector<2> middle = (mesh.vertices[vertices[a]] + mesh.vertices[vertices[b]]) / 2 +
+                                    factor * scene::displacement_at(mesh, run.displacement, cell, half);
     const float in_middle = mean(0.5, 0), in_centre = mean(0, 1);
     tiles[2 * part] = {{moved(a), middle, centre}, {mean(0, 0), in_middle, in_centre}};
     tiles[2 * part + 1] = {{middle, moved(b), centre}, {in_middle, mean(1, 0), in_centre}};

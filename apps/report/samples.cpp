@@ -5,18 +5,9 @@
 #include <map>
 #include <set>
 
-#include "scene/offsets.h"
 #include "scene/voigt.h"
 
 namespace bracket::apps {
-
-scene::Vector<2> at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
-                    const std::array<double, 3>& point) {
-  scene::Vector<2> u =
-      scene::value_on_triangle(scene::offsets_on_cell(mesh, displacement, cell), displacement.degree, point);
-  for (int k = 0; k < 3; ++k) u += point[k] * displacement.vertex[mesh.cells[cell][k]];
-  return u;
-}
 
 std::vector<double> displacement_pressure(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                           int facet) {

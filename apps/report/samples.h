@@ -9,10 +9,6 @@
 /// The fields at points where files and pictures need them.
 namespace bracket::apps {
 
-/// u_h at a point of a cell, by its barycentric coordinates.
-scene::Vector<2> at(const scene::Mesh<2>& mesh, const scene::Displacement<2>& displacement, int cell,
-                    const std::array<double, 3>& point);
-
 /// Pressure −d·σ(u_h)d on a contact pair's first facet, whose outward normal is d, by Bernstein coefficients from its
 /// vertex 0 to its vertex 1.
 std::vector<double> displacement_pressure(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,

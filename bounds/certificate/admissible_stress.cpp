@@ -75,29 +75,26 @@ Eigen::MatrixXd bubble_amplitudes(int degree) {
   for (const auto& sides : fields.load)
     for (const auto& side : sides)
       for (const auto& field : side) append([&](Eigen::Index i) { return field[i]; });
-  Eigen::MatrixXd resultants = Eigen::MatrixXd::Zero(3, 12);  // of the loads at the ends
-  const auto load = [](Eigen::Index i) {
+  const auto sides_of = [](const Eigen::VectorXd& at_ends) {  // x and y at both ends of each
     std::array<SideLoad<double>, 3> sides;
-    auto& value = sides[i / 4][i % 4 / 2];
-    (i % 2 == 0 ? value.x : value.y) = 1;
+    for (int side = 0; side < 3; ++side)
+      for (int end = 0; end < 2; ++end)
+        sides[side][end] = {at_ends[4 * side + 2 * end], at_ends[4 * side + 2 * end + 1]};
     return sides;
   };
+  Eigen::MatrixXd resultants = Eigen::MatrixXd::Zero(3, 12);
   for (Eigen::Index i = 0; i < 12; ++i)
     for (int side = 0; side < 3; ++side) {
-      const auto [force, moment] = resultant(load(i)[side], x[side], x[(side + 1) % 3] - x[side]);
+      const auto [force, moment] =
+          resultant(sides_of(Eigen::VectorXd::Unit(12, i))[side], x[side], x[(side + 1) % 3] - x[side]);
       resultants.col(i) += Eigen::Vector3d(force.x, force.y, moment);
     }
   const Eigen::MatrixXd balanced = Eigen::FullPivLU<Eigen::MatrixXd>(resultants).kernel();
-  for (Eigen::Index m = 0; m < balanced.cols(); ++m) {
-    std::array<SideLoad<double>, 3> sides;
-    for (Eigen::Index i = 0; i < 12; ++i) {
-      auto& value = sides[i / 4][i % 4 / 2];
-      (i % 2 == 0 ? value.x : value.y) = balanced(i, m);
-    }
-    const BlockStress<double> linear = stress_of_balanced(x, sides);
+  for (const auto& at_ends : balanced.colwise()) {
+    const BlockStress<double> linear = stress_of_balanced(x, sides_of(at_ends));
     std::vector<double> values;
     for (int part = 0; part < 3; ++part)
-      for (const auto& value : raised_stress(linear[(part + 1) % 3], degree))
+      for (const auto& value : raised(linear[(part + 1) % 3], 1, degree))
         values.insert(values.end(), value.begin(), value.end());
     append([&](Eigen::Index i) { return values[i]; });
   }
@@ -121,7 +118,7 @@ std::vector<std::vector<double>> bubbles(const scene::Problem<2>& problem, const
     for (int part = 0, place = 0; part < 3; ++part) {
       const auto own = scene::stress_of_part(stress, static_cast<int>(c), part);
       const auto& [from, to] = scene::Simplex<2>::edges[part];
-      const auto indices = scene::bernstein_indices(stress.degree);
+      const auto& indices = scene::bernstein_indices(stress.degree);
       for (std::size_t i = 0; i < own.size(); ++i, place += 3) {
         const Vector<2> at =
             (indices[i][0] * (x[from] - x[0]) + indices[i][1] * (x[to] - x[0]) + indices[i][2] * centroid) /

@@ -196,19 +196,6 @@ BlockStress<Number> linear_block_stress(const scene::Problem<2>& problem, Loaded
   return stress;
 }
 
-/// One component of values, one degree of a triangle's polynomial after the other up to another degree.
-template <class Number>
-std::vector<std::array<Number, 3>> raised_stress(const std::vector<std::array<Number, 3>>& linear, int degree) {
-  std::vector<std::array<Number, 3>> result(scene::n_bernstein(degree));
-  for (int c = 0; c < 3; ++c) {
-    std::vector<Number> component;
-    for (const auto& value : linear) component.push_back(value[c]);
-    for (int k = 1; k < degree; ++k) component = scene::raised_on_triangle<Number>(component, k);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i][c] = component[i];
-  }
-  return result;
-}
-
 /// The stress of a cell in balance.
 template <class Number>
 BlockStress<Number> block_stress(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads,
@@ -218,7 +205,7 @@ BlockStress<Number> block_stress(const scene::Problem<2>& problem, const EdgeLoa
   const BlockStress<Number> higher =
       stress_of_higher(loads.degree, block.x, higher_on(block, loads), loads.bubbles[cell]);
   for (int i = 0; i < 3; ++i) {
-    stress[i] = raised_stress(stress[i], loads.degree);
+    stress[i] = raised(stress[i], 1, loads.degree);
     for (std::size_t k = 0; k < stress[i].size(); ++k)
       for (int c = 0; c < 3; ++c) stress[i][k][c] += higher[i][k][c];
   }

@@ -37,6 +37,28 @@ SideLoad<Number> load_with(const Wrench<Number>& resultant, const Vector2<Number
 /// whose corners are i, i + 1 and the centroid.
 template <class Number> using BlockStress = std::array<std::vector<std::array<Number, 3>>, 3>;
 
+/// What is done to the coefficients of each component of a stress or strain.
+template <class Number, class Do>
+std::vector<std::array<Number, 3>> by_component(const std::vector<std::array<Number, 3>>& values, const Do& to_values) {
+  std::vector<std::array<Number, 3>> result;
+  for (int c = 0; c < 3; ++c) {
+    std::vector<Number> component;
+    for (const auto& value : values) component.push_back(value[c]);
+    const std::vector<Number> done = to_values(component);
+    result.resize(done.size());
+    for (std::size_t i = 0; i < done.size(); ++i) result[i][c] = done[i];
+  }
+  return result;
+}
+
+/// The same polynomials on a triangle, of their own degree, by coefficients of another that is not lower.
+template <class Number>
+std::vector<std::array<Number, 3>> raised(std::vector<std::array<Number, 3>> values, int own, int degree) {
+  for (; own < degree; ++own)
+    values = by_component(values, [&](const auto& c) { return scene::raised_on_triangle<Number>(c, own); });
+  return values;
+}
+
 /// The linear stress of a block element from its side loads, by HH81 Theorem 2.1 the only one: at the corners of each
 /// part. Self-equilibrated side loads are integrated twice around the boundary to Airy's function and its gradient (t
 /// ds = d(∂φ/∂y, −∂φ/∂x)); the block element's stresses are the second derivatives of the Hsieh–Clough–Tocher cubic
@@ -80,6 +102,7 @@ BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
          {phi[i + 1] - far - (far - near), a[j] - far - (m[i] - near), h[j] - m[i] - (m[i] - near)},
          {a[j] - m[i] - (m[i] - a[i]), h[j] - m[i] - (h[i] - a[i]), centre - h[i] - (h[i] - a[i])}}};
     // Gradients of the coordinates along the side and inward.
+    stress[i].resize(3);
     const Number determinant = cross(side[i], inward[i]);
     const Vector2<Number> p = by(Number(1) / determinant, -turned(inward[i]));
     const Vector2<Number> q = by(Number(1) / determinant, turned(side[i]));
@@ -88,7 +111,7 @@ BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
       const Number xx = uu * p.x * p.x + two * uv * p.x * q.x + vv * q.x * q.x;
       const Number yy = uu * p.y * p.y + two * uv * p.y * q.y + vv * q.y * q.y;
       const Number xy = uu * p.x * p.y + uv * (p.x * q.y + p.y * q.x) + vv * q.x * q.y;
-      stress[i].push_back({six * yy, six * xx, -six * xy});
+      stress[i][k] = {six * yy, six * xx, -six * xy};
     }
   }
   return stress;

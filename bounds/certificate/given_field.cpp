@@ -21,24 +21,7 @@ int degree_of(const Strains& strains) {
   return degree;
 }
 
-/// What is done to each component.
-template <class Do> Strains by_component(const Strains& strains, const Do& to_values) {
-  Strains result;
-  for (int c = 0; c < 3; ++c) {
-    std::vector<Enclosure> values;
-    for (const auto& strain : strains) values.push_back(strain[c]);
-    const std::vector<Enclosure> done = to_values(values);
-    result.resize(done.size());
-    for (std::size_t i = 0; i < done.size(); ++i) result[i][c] = done[i];
-  }
-  return result;
-}
-
-Strains raised_to(int degree, Strains strains) {
-  for (int own = degree_of(strains); own < degree; ++own)
-    strains = by_component(strains, [&](const auto& c) { return scene::raised_on_triangle<Enclosure>(c, own); });
-  return strains;
-}
+Strains raised_to(int degree, const Strains& strains) { return raised(strains, degree_of(strains), degree); }
 
 /// As it is given: nothing is added, and offsets are not rounded.
 MovedField<Enclosure> as_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
@@ -80,22 +63,18 @@ Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& st
   const int degree = std::max(degree_of(strain), degree_of(stress[0]));
   const Strains of_cell = raised_to(degree, strain);
   const Enclosure half = Enclosure(1) / Enclosure(2);
-  const auto indices = scene::bernstein_indices(degree);
   Enclosure sum;
   for (int part = 0; part < 3; ++part) {
-    const int replaced = (part + 2) % 3;
-    const Strains moved =
-        by_component(of_cell, [&](const auto& c) { return scene::on_centroid_part<Enclosure>(c, degree, replaced); });
+    const int opposite = (part + 2) % 3;
+    const Strains on_part =
+        by_component(of_cell, [&](const auto& c) { return scene::on_centroid_part<Enclosure>(c, degree, opposite); });
     const Strains lambda = raised_to(degree, stress[part]);
-    std::vector<std::array<Enclosure, 6>> both(indices.size());
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      std::array<int, 3> at;
-      for (int corner = 0; corner < 3; ++corner) at[(part + corner) % 3] = indices[k][corner];
+    std::vector<std::array<Enclosure, 6>> both(on_part.size());
+    for (std::size_t k = 0; k < both.size(); ++k)
       for (int i = 0; i < 3; ++i) {
-        both[k][i] = moved[scene::bernstein_place(at)][i];
+        both[k][i] = on_part[k][i];
         both[k][3 + i] = half * lambda[k][i];
       }
-    }
     const auto energy = [&](const std::array<Enclosure, 6>& of) {
       return form.difference_energy({of[0], of[1], of[2]}, {of[3], of[4], of[5]});
     };

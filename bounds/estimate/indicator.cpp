@@ -95,25 +95,10 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
 
 namespace {
 
-/// The same stress, by coefficients of a degree that is not lower.
-template <int dim> std::vector<Voigt<dim>> of_degree(int degree, std::vector<Voigt<dim>> stress) {
-  for (int own = 1; own < degree; ++own)
-    if (static_cast<int>(stress.size()) == scene::n_bernstein(own))
-      stress = scene::raised_on_triangle<double>(stress, own);
+/// The same stress, one degree after the other up to another. \param own its degree
+template <int dim> std::vector<Voigt<dim>> raised(std::vector<Voigt<dim>> stress, int own, int degree) {
+  for (; own < degree; ++own) stress = scene::raised_on_triangle<double>(stress, own);
   return stress;
-}
-
-/// A polynomial of a cell on the part of it that scene::Stress has at facet k.
-template <int dim> std::vector<Voigt<dim>> on_part(const std::vector<Voigt<dim>>& of_cell, int degree, int k) {
-  const auto moved = scene::on_centroid_part<double>(of_cell, degree, k);
-  std::vector<Voigt<dim>> part;
-  for (const auto& i : scene::bernstein_indices(degree)) {
-    std::array<int, 3> at;
-    for (int corner = 0; corner < 2; ++corner) at[scene::Simplex<dim>::facets[k][corner]] = i[corner];
-    at[k] = i[2];
-    part.push_back(moved[scene::bernstein_place(at)]);
-  }
-  return part;
 }
 
 }  // namespace
@@ -130,12 +115,13 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
     const auto& compliance = problem.bodies[mesh.cell_body[c]].material.compliance();
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const int degree = std::max(stress.degree, scene::stress_degree(displacement.degree));
-    const auto sigma = of_degree<dim>(degree, displacement_stress(problem, displacement, cell));
+    const auto sigma = raised<dim>(displacement_stress(problem, displacement, cell),
+                                   scene::stress_degree(displacement.degree), degree);
     const double part = scene::volume(mesh, cell) / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
-      std::vector<Voigt<dim>> difference = on_part<dim>(sigma, degree, k);
+      std::vector<Voigt<dim>> difference = scene::on_centroid_part<double>(sigma, degree, k);
       const auto own = scene::stress_of_part(stress, cell, k);
-      const auto lambda = of_degree<dim>(degree, {own.begin(), own.end()});
+      const auto lambda = raised<dim>({own.begin(), own.end()}, stress.degree, degree);
       for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= lambda[i];
       result.cell[c] += part * mean(form, difference);
     }

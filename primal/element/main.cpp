@@ -19,8 +19,7 @@ std::vector<Slopes> slopes(int degree) {
   for (const auto& i : bracket::scene::bernstein_indices(degree)) {
     dealii::TableIndices<3> powers;
     for (int corner = 0; corner < 3; ++corner) powers[corner] = i[corner];
-    const int trinomial = bracket::scene::binomial(degree, i[0]) * bracket::scene::binomial(i[1] + i[2], i[1]);
-    const dealii::BarycentricPolynomial<2> polynomial(powers, trinomial);
+    const dealii::BarycentricPolynomial<2> polynomial(powers, bracket::scene::trinomial(i));
     result.push_back({polynomial.derivative(0), polynomial.derivative(1)});
   }
   return result;

@@ -20,7 +20,7 @@ TEST(CellStiffness, kernel_is_the_rigid_motions_and_energy_of_uniform_strain_is_
       const auto& mesh = problem.mesh;
       const auto& v = mesh.cells[cell];
       const int n = scene::n_bernstein(degree);
-      const auto indices = scene::bernstein_indices(degree);
+      const auto& indices = scene::bernstein_indices(degree);
       Eigen::MatrixXd fields(2 * n, 6);  // 1, 1, turn, and three uniform strains
       for (int i = 0; i < n; ++i) {
         Vector<2> x = Vector<2>::Zero();  // a linear field's coefficients are its values there

@@ -15,7 +15,7 @@ namespace bracket::scene {
 namespace {
 
 template <int degree> void expect_squares_are_the_mass() {
-  const auto indices = bernstein_indices(degree);
+  const auto& indices = bernstein_indices(degree);
   for (std::size_t i = 0; i < indices.size(); ++i)
     for (std::size_t k = 0; k < indices.size(); ++k) {
       const auto [part, whole] = bernstein_mean(indices[i], indices[k]);
@@ -62,11 +62,9 @@ TEST(Bernstein, a_polynomial_stays_itself_when_raised_cut_or_seen_from_another_t
       const auto x = random.point();
       const double value = value_on_triangle(c, degree, x);
       EXPECT_NEAR(value_on_triangle(raised_on_triangle<double>(c, degree), degree + 1, x), value, 1e-12);
-      for (int replaced = 0; replaced < 3; ++replaced) {
-        // x = Σ y_k corner_k with the centroid in place of one: y_replaced = 3 x_replaced
-        std::array<double, 3> y = {x[0] - x[replaced], x[1] - x[replaced], x[2] - x[replaced]};
-        y[replaced] = 3 * x[replaced];
-        EXPECT_NEAR(value_on_triangle(on_centroid_part<double>(c, degree, replaced), degree, y), value, 1e-12);
+      for (int k = 0; k < 3; ++k) {  // x = Σ y corner, the centroid the last of them
+        const std::array<double, 3> y = {x[(k + 1) % 3] - x[k], x[(k + 2) % 3] - x[k], 3 * x[k]};
+        EXPECT_NEAR(value_on_triangle(on_centroid_part<double>(c, degree, k), degree, y), value, 1e-12);
       }
       const std::array<std::array<double, 3>, 3> corners = {random.point(), random.point(), random.point()};
       std::array<double, 3> there = {0, 0, 0};

@@ -8,19 +8,10 @@ namespace bracket::bounds {
 
 using scene::Support;
 
-namespace {
-
-/// n! / (i! j! k!) of a Bernstein polynomial.
-Exact trinomial(const std::array<int, 3>& i) {
-  return Exact(scene::binomial(i[0] + i[1] + i[2], i[0]) * scene::binomial(i[1] + i[2], i[1]));
-}
-
-}  // namespace
-
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field) {
   const auto& mesh = problem.mesh;
   const MovedField<Exact> all = moved<Exact>(problem, vertex_supports(problem), field);
-  const auto indices = scene::bernstein_indices(field.degree);
+  const auto& indices = scene::bernstein_indices(field.degree);
   ExactDisplacement u;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     std::array<Point, 3> at;
@@ -31,8 +22,8 @@ ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const Pla
     Field own = {Polynomial::linear({at[0].x, at[1].x, at[2].x}), Polynomial::linear({at[0].y, at[1].y, at[2].y})};
     const auto offset = scene::on_cell(mesh, field.degree, all.offsets.edge, all.offsets.cell, static_cast<int>(c));
     for (std::size_t i = 0; i < offset.size(); ++i) {
-      own[0] = own[0] + Polynomial::monomial(3, indices[i], trinomial(indices[i]) * offset[i].x);
-      own[1] = own[1] + Polynomial::monomial(3, indices[i], trinomial(indices[i]) * offset[i].y);
+      own[0] = own[0] + Polynomial::monomial(3, indices[i], Exact(scene::trinomial(indices[i])) * offset[i].x);
+      own[1] = own[1] + Polynomial::monomial(3, indices[i], Exact(scene::trinomial(indices[i])) * offset[i].y);
     }
     u.cell.push_back(own);
   }
@@ -44,7 +35,7 @@ ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact
   const auto& mesh = problem.mesh;
   ExactStress stress;
   stress.added = added;
-  const auto indices = scene::bernstein_indices(loads.degree);
+  const auto& indices = scene::bernstein_indices(loads.degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     LoadedCell<Exact> cell = loaded_cell(problem, loads, static_cast<int>(c));
     const Point force = vector2<Exact>(problem.bodies[mesh.cell_body[c]].force);
@@ -73,7 +64,8 @@ ExactStress exact_stress(const scene::Problem<2>& problem, const EdgeLoads<Exact
         for (std::size_t place = 0; place < indices.size(); ++place)
           for (int k = 0; k < 3; ++k)
             parts[i][k] =
-                parts[i][k] + Polynomial::monomial(3, indices[place], trinomial(indices[place]) * higher[i][place][k]);
+                parts[i][k] +
+                Polynomial::monomial(3, indices[place], Exact(scene::trinomial(indices[place])) * higher[i][place][k]);
     }
     stress.cell.push_back(parts);
   }
