@@ -220,7 +220,7 @@ template <class Value> Value zero_value() {
 template <class Value> void add_multiple(Value& sum, int factor, const Value& v) { sum += factor * v; }
 template <class Number, std::size_t n>
 void add_multiple(std::array<Number, n>& sum, int factor, const std::array<Number, n>& v) {
-  for (std::size_t i = 0; i < n; ++i) sum[i] += Number(factor) * v[i];
+  for (std::size_t i = 0; i < n; ++i) sum[i] += factor == 1 ? v[i] : Number(factor) * v[i];
 }
 
 /// The mean over a triangle of a quadratic form of a polynomial, given by its coefficients.
