@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/parallel.h"
+
 namespace bracket::dual {
 
 using scene::Problem;
@@ -104,10 +106,9 @@ template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
 }
 
 template <int degree, int dim> std::vector<Cell<degree>> make_cells(const Problem<dim>& problem, const Layout& layout) {
-  std::vector<Cell<degree>> cells;
-  cells.reserve(problem.mesh.cells.size());
-  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
-    cells.push_back(make_cell<degree>(problem, layout, static_cast<int>(c)));
+  std::vector<Cell<degree>> cells(problem.mesh.cells.size());
+  scene::for_each_index(static_cast<int>(cells.size()),
+                        [&](int c) { cells[c] = make_cell<degree>(problem, layout, c); });
   return cells;
 }
 

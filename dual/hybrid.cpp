@@ -6,6 +6,7 @@
 #include "dual/cells.h"
 #include "dual/dual.h"
 #include "scene/mesh/dissection.h"
+#include "scene/parallel.h"
 
 namespace bracket::dual {
 
@@ -100,10 +101,17 @@ contact::System assemble(const Problem<dim>& problem, const Layout& layout, cons
   body.nodes = layout.body_nodes[b];
   body.sequence = contact::elimination(body_paths, cell_nodes, static_cast<int>(body.nodes.size()) - 1);
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
-  for (const int c : layout.body_cells[b]) {
-    const auto half = half_stiffness<degree>(cells[c].compliance, cells[c].loads);
-    const CellMatrix<degree> stiffness = half.transpose() * half;
-    assembly.add(cells[c].unknowns, stiffness);
+  const std::vector<int>& own = layout.body_cells[b];
+  constexpr std::size_t together = 4096;  // so many cells' matrices stay in the cache until they are added
+  std::vector<CellMatrix<degree>> stiffness;
+  for (std::size_t begin = 0; begin < own.size(); begin += together) {
+    stiffness.resize(std::min(together, own.size() - begin));
+    scene::for_each_index(static_cast<int>(stiffness.size()), [&](int i) {
+      const Cell<degree>& cell = cells[own[begin + i]];
+      const auto half = half_stiffness<degree>(cell.compliance, cell.loads);
+      stiffness[i] = half.transpose() * half;
+    });
+    for (std::size_t i = 0; i < stiffness.size(); ++i) assembly.add(cells[own[begin + i]].unknowns, stiffness[i]);
   }
   body.stiffness = assembly.take();
   body.rigid = rigid_motions(problem, layout, b, body.nodes.back());
@@ -139,12 +147,15 @@ template <int degree, int dim>
 void subtract_tractions(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
                         const CellData<degree>& data, const Amplitudes<degree>& amplitude,
                         std::vector<Eigen::VectorXd>& loads) {
+  std::vector<LoadVector<degree>> tractions(cells.size());
+  scene::for_each_index(static_cast<int>(cells.size()), [&](int c) {
+    tractions[c] = cells[c].loads * amplitude[c];
+    if (const Particular<degree>* weight = weight_of(data, c)) tractions[c] += weight->loads;
+  });
   for (std::size_t c = 0; c < cells.size(); ++c) {
     Eigen::VectorXd& load = loads[problem.mesh.cell_component[c]];
-    LoadVector<degree> tractions = cells[c].loads * amplitude[c];
-    if (const Particular<degree>* weight = weight_of(data, c)) tractions += weight->loads;
     for (int i = 0; i < n_loads(degree); ++i)
-      if (cells[c].unknowns[i] >= 0) load[cells[c].unknowns[i]] -= tractions[i];
+      if (cells[c].unknowns[i] >= 0) load[cells[c].unknowns[i]] -= tractions[c][i];
   }
 }
 
@@ -153,9 +164,10 @@ template <int degree, int dim>
 std::vector<Eigen::VectorXd> all_loads(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
                                        const CellData<degree>& data, std::vector<Eigen::VectorXd> of_tractions) {
   if (data.prescribed.empty() && data.weight.empty()) return of_tractions;
-  Amplitudes<degree> amplitude;
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    amplitude.push_back(amplitudes<degree>(cells[c], prescribed_on(data, c), weight_of(data, c)));
+  Amplitudes<degree> amplitude(cells.size());
+  scene::for_each_index(static_cast<int>(cells.size()), [&](int c) {
+    amplitude[c] = amplitudes<degree>(cells[c], prescribed_on(data, c), weight_of(data, c));
+  });
   subtract_tractions(problem, cells, data, amplitude, of_tractions);
   return of_tractions;
 }
@@ -169,11 +181,11 @@ Amplitudes<degree> balanced(const Problem<dim>& problem, const std::vector<Cell<
                             std::vector<Eigen::VectorXd> loads, Amplitudes<degree> amplitude) {
   subtract_tractions(problem, cells, data, amplitude, loads);
   for (std::size_t b = 0; b < loads.size(); ++b) loads[b] = bodies.respond(static_cast<int>(b), loads[b]);
-  for (std::size_t c = 0; c < amplitude.size(); ++c) {
+  scene::for_each_index(static_cast<int>(amplitude.size()), [&](int c) {
     const LoadVector<degree> edges =
         edge_displacements<degree>(cells[c], loads[problem.mesh.cell_component[c]], LoadVector<degree>::Zero());
     amplitude[c] += amplitudes<degree>(cells[c], edges, nullptr);
-  }
+  });
   return amplitude;
 }
 
@@ -182,21 +194,22 @@ template <int degree, int dim>
 scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell<degree>>& cells,
                            const CellData<degree>& data, const contact::Bodies& bodies,
                            const std::vector<Eigen::VectorXd>& loads, const std::vector<Eigen::VectorXd>& elastic) {
-  Amplitudes<degree> amplitude;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
+  Amplitudes<degree> amplitude(cells.size());
+  const int n = static_cast<int>(cells.size());
+  scene::for_each_index(n, [&](int c) {
     const LoadVector<degree> edges =
         edge_displacements<degree>(cells[c], elastic[problem.mesh.cell_component[c]], prescribed_on(data, c));
-    amplitude.push_back(amplitudes<degree>(cells[c], edges, weight_of(data, c)));
-  }
+    amplitude[c] = amplitudes<degree>(cells[c], edges, weight_of(data, c));
+  });
   for (int step = 0; step < 2; ++step) amplitude = balanced(problem, cells, data, bodies, loads, std::move(amplitude));
   scene::Stress<dim> stress{degree, {}};
   stress.cell.resize(amplitude.size());
-  for (std::size_t c = 0; c < amplitude.size(); ++c) {
+  scene::for_each_index(n, [&](int c) {
     const BlockStress<degree> own = block_stress<degree>(cells[c].piola, amplitude[c]);
     stress.cell[c].assign(own.begin(), own.end());
     if (const Particular<degree>* weight = weight_of(data, c))
       for (int i = 0; i < n_coefficients(degree); ++i) stress.cell[c][i] += weight->stress[i];
-  }
+  });
   return stress;
 }
 

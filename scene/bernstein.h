@@ -223,15 +223,26 @@ void add_multiple(std::array<Number, n>& sum, int factor, const std::array<Numbe
   for (std::size_t i = 0; i < n; ++i) sum[i] += factor == 1 ? v[i] : Number(factor) * v[i];
 }
 
+/// 1 / divisor of each.
+template <class Number, int degree> const std::array<Number, n_bernstein(degree)>& weights_of_squares() {
+  static const std::array<Number, n_bernstein(degree)> weights = [] {
+    std::array<Number, n_bernstein(degree)> result;
+    for (int i = 0; i < n_bernstein(degree); ++i) result[i] = Number(1) / Number(squares<degree>[i].divisor);
+    return result;
+  }();
+  return weights;
+}
+
 /// The mean over a triangle of a quadratic form of a polynomial, given by its coefficients.
 template <class Number, int degree, class Value, class Form>
 Number mean_of_squares(const Form& form, std::span<const Value> c) {
   Number sum(0);
-  for (const Square<degree>& square : squares<degree>) {
+  const auto& weights = weights_of_squares<Number, degree>();
+  for (int k = 0; k < n_bernstein(degree); ++k) {
     Value combined = zero_value<Value>();
-    for (int i = 0; i < n_bernstein(degree); ++i)
-      if (square.coefficient[i] != 0) add_multiple(combined, square.coefficient[i], c[i]);
-    sum += form(combined) / Number(square.divisor);
+    for (int i = k; i < n_bernstein(degree); ++i)
+      if (const int factor = squares<degree>[k].coefficient[i]; factor != 0) add_multiple(combined, factor, c[i]);
+    sum += weights[k] * form(combined);
   }
   return sum;
 }

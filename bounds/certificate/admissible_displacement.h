@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "bounds/certificate/arithmetic.h"
 #include "bounds/certificate/elastic_form.h"
 #include "bounds/certificate/geometry.h"
 #include "scene/offsets.h"
+#include "scene/parallel.h"
 
 /// Displacements that are in K exactly, and their energy: real numbers that `Number` encloses or holds exactly.
 namespace bracket::bounds {
@@ -275,12 +277,9 @@ std::vector<std::array<Number, 3>> cell_strain(const scene::Problem<2>& problem,
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
   const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
-  const Number doubled = doubled_area(x);
+  const Number by_doubled_area = Number(1) / doubled_area(x);
   std::array<Vector2<Number>, 3> gradient;  // of φ
-  for (int k = 0; k < 3; ++k) {
-    const Vector2<Number> opposite = x[(k + 2) % 3] - x[(k + 1) % 3];
-    gradient[k] = (Number(1) / doubled) * turned(opposite);
-  }
+  for (int k = 0; k < 3; ++k) gradient[k] = by_doubled_area * turned(x[(k + 2) % 3] - x[(k + 1) % 3]);
   std::array<Number, 3> linear = {Number(0), Number(0), Number(0)};
   const auto add = [&](std::array<Number, 3>& strain, const Vector2<Number>& slope, int k) {
     strain[0] += slope.x * gradient[k].x;
@@ -355,11 +354,22 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const std::ve
   const auto& mesh = problem.mesh;
   const MovedField<Number> all = moved<Number>(problem, supports, field);
   const auto forms = elastic_forms<Number>(problem);
+  const auto of_cells = [&](int begin, int end) {
+    check_arithmetic();
+    Sum of_strain, of_force;
+    for (int cell = begin; cell < end; ++cell) {
+      const int body = mesh.cell_body[cell];
+      of_strain.add(cell_strain_energy(problem, forms[body], field, all, cell));
+      if (has_force(problem, body))
+        of_force.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
+    }
+    return std::array<Number, 2>{of_strain.value(), of_force.value()};
+  };
   Sum strain, work;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int cell = static_cast<int>(c), body = mesh.cell_body[c];
-    strain.add(cell_strain_energy(problem, forms[body], field, all, cell));
-    if (has_force(problem, body)) work.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
+  using Parts = std::array<Number, 2>;
+  for (const auto& [of_strain, of_force] : scene::of_chunks<Parts>(static_cast<int>(mesh.cells.size()), of_cells)) {
+    strain.add(of_strain);
+    work.add(of_force);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);

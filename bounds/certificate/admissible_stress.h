@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <future>
 
 #include "bounds/certificate/admissible_displacement.h"
 #include "bounds/certificate/block_stress.h"
 #include "scene/fields.h"
+#include "scene/parallel.h"
 
 /// Edge loads in balance with the data exactly, and the energy of their stresses: real numbers that `Number` encloses
 /// or holds exactly.
@@ -230,15 +230,13 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
   const auto& mesh = problem.mesh;
   const auto forms = elastic_forms<Number>(problem);
   const auto of_cells = [&](int begin, int end) {
+    check_arithmetic();
     Sum sum;
     for (int cell = begin; cell < end; ++cell) sum.add(block_energy(problem, forms[mesh.cell_body[cell]], loads, cell));
     return sum.value();
   };
-  const int cells = static_cast<int>(mesh.cells.size());
-  auto first_half = std::async(std::launch::async, of_cells, 0, cells / 2);
   Sum energy;
-  energy.add(of_cells(cells / 2, cells));
-  energy.add(first_half.get());
+  for (const Number& part : scene::of_chunks<Number>(static_cast<int>(mesh.cells.size()), of_cells)) energy.add(part);
   const auto fixed = fixed_vertices(scene::first_of(problem));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);

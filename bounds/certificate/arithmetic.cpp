@@ -46,4 +46,8 @@ std::string arithmetic_fault() {
   return "";
 }
 
+void check_arithmetic() {
+  if (const std::string fault = arithmetic_fault(); !fault.empty()) throw ArithmeticFault(fault);
+}
+
 }  // namespace bracket::bounds

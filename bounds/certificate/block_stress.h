@@ -67,9 +67,8 @@ std::vector<std::array<Number, 3>> raised(std::vector<std::array<Number, 3>> val
 template <class Number>
 BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
                                        const std::array<SideLoad<Number>, 3>& load) {
-  const Number two(2), three(3), six(6);
-  const auto by = [](const Number& s, const Vector2<Number>& a) { return s * a; };
-  const Vector2<Number> centroid = by(Number(1) / three, x[0] + x[1] + x[2]);
+  const Number half = Number(1) / Number(2), third = Number(1) / Number(3), six(6);
+  const Vector2<Number> centroid = third * (x[0] + x[1] + x[2]);
   // φ and its gradient g at the corners (both zero at the first), b: the gradient's middle coefficient on each side.
   std::array<Number, 4> phi;
   std::array<Vector2<Number>, 4> g;
@@ -78,40 +77,45 @@ BlockStress<Number> stress_of_balanced(const std::array<Vector2<Number>, 3>& x,
   for (int i = 0; i < 3; ++i) {
     side[i] = x[(i + 1) % 3] - x[i];
     inward[i] = centroid - x[i];
-    b[i] = g[i] + by(Number(1) / two, turned(load[i][0]));
-    g[i + 1] = b[i] + by(Number(1) / two, turned(load[i][1]));
-    phi[i + 1] = phi[i] + dot(g[i] + b[i] + g[i + 1], side[i]) / three;
+    b[i] = g[i] + half * turned(load[i][0]);
+    g[i + 1] = b[i] + half * turned(load[i][1]);
+    phi[i + 1] = phi[i] + third * dot(g[i] + b[i] + g[i + 1], side[i]);
   }
   phi[3] = Number(0);  // in balance both come back to where they began
   g[3] = {};
   std::array<Number, 3> a, m, h;  // next to corner i, in the middle of triangle i, next to the centroid
   for (int i = 0; i < 3; ++i) {
-    a[i] = phi[i] + dot(g[i], inward[i]) / three;
-    m[i] = phi[i] + dot(g[i], side[i]) / three + dot(b[i], inward[i]) / three;
+    a[i] = phi[i] + third * dot(g[i], inward[i]);
+    m[i] = phi[i] + third * (dot(g[i], side[i]) + dot(b[i], inward[i]));
   }
-  for (int i = 0; i < 3; ++i) h[i] = (a[i] + m[i] + m[(i + 2) % 3]) / three;
-  const Number centre = (h[0] + h[1] + h[2]) / three;
+  for (int i = 0; i < 3; ++i) h[i] = third * (a[i] + m[i] + m[(i + 2) % 3]);
+  const Number centre = third * (h[0] + h[1] + h[2]);
 
   BlockStress<Number> stress;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    const Number near = phi[i] + dot(g[i], side[i]) / three, far = phi[i + 1] - dot(g[i + 1], side[i]) / three;
+    const Number near = phi[i] + third * dot(g[i], side[i]), far = phi[i + 1] - third * dot(g[i + 1], side[i]);
     // Second differences along the side and inward (uu, uv, vv) at the corners i, j and the centroid.
     const std::array<std::array<Number, 3>, 3> second = {
         {{far - near - (near - phi[i]), m[i] - near - (a[i] - phi[i]), h[i] - a[i] - (a[i] - phi[i])},
          {phi[i + 1] - far - (far - near), a[j] - far - (m[i] - near), h[j] - m[i] - (m[i] - near)},
          {a[j] - m[i] - (m[i] - a[i]), h[j] - m[i] - (h[i] - a[i]), centre - h[i] - (h[i] - a[i])}}};
-    // Gradients of the coordinates along the side and inward.
+    // Gradients p, q of the coordinates along the side and inward, by the determinant.
     stress[i].resize(3);
+    const Vector2<Number> p = -turned(inward[i]), q = turned(side[i]);
     const Number determinant = cross(side[i], inward[i]);
-    const Vector2<Number> p = by(Number(1) / determinant, -turned(inward[i]));
-    const Vector2<Number> q = by(Number(1) / determinant, turned(side[i]));
+    const Number six_by_square = six / (determinant * determinant);
+    const auto products = [&](const Number& px, const Number& py, const Number& qx, const Number& qy) {
+      return std::array<Number, 3>{six_by_square * (px * py), six_by_square * (px * qy + py * qx),
+                                   six_by_square * (qx * qy)};
+    };
+    const auto of_xx = products(p.y, p.y, q.y, q.y), of_yy = products(p.x, p.x, q.x, q.x);
+    const auto of_xy = products(p.x, p.y, q.x, q.y);
     for (int k = 0; k < 3; ++k) {
-      const auto& [uu, uv, vv] = second[k];
-      const Number xx = uu * p.x * p.x + two * uv * p.x * q.x + vv * q.x * q.x;
-      const Number yy = uu * p.y * p.y + two * uv * p.y * q.y + vv * q.y * q.y;
-      const Number xy = uu * p.x * p.y + uv * (p.x * q.y + p.y * q.x) + vv * q.x * q.y;
-      stress[i][k] = {six * yy, six * xx, -six * xy};
+      const auto sum = [&](const std::array<Number, 3>& factor) {
+        return second[k][0] * factor[0] + second[k][1] * factor[1] + second[k][2] * factor[2];
+      };
+      stress[i][k] = {sum(of_xx), sum(of_yy), -sum(of_xy)};
     }
   }
   return stress;

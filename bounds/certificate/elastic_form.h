@@ -9,18 +9,24 @@ namespace bracket::bounds {
 /// The elastic energy of strain, ½ εᵀCε, and of stress, ½ σᵀC⁻¹σ, from one factor C = L D Lᵀ (L with a unit diagonal):
 /// sums of squares, which do not cancel. Isotropic: from E and ν themselves, so that neither form suffers as ν → ½.
 template <class Number> struct ElasticForm {
-  std::array<Number, 3> d;  ///< > 0
-  std::array<Number, 3> l;  ///< L(1,0), L(2,0), L(2,1)
+  ElasticForm(const std::array<Number, 3>& of_d, const std::array<Number, 3>& of_l) : d(of_d), l(of_l) {
+    for (int i = 0; i < 3; ++i) half_d[i] = d[i] / Number(2);
+    for (int i = 0; i < 3; ++i) half_inverse[i] = Number(1) / (d[i] + d[i]);
+  }
+
+  std::array<Number, 3> d;                     ///< > 0
+  std::array<Number, 3> l;                     ///< L(1,0), L(2,0), L(2,1)
+  std::array<Number, 3> half_d, half_inverse;  ///< ½ D, ½ D⁻¹
 
   /// \param e xx, yy and twice xy
   Number strain_energy(const std::array<Number, 3>& e) const {
     const Number first = e[0] + l[0] * e[1] + l[1] * e[2], second = e[1] + l[2] * e[2];
-    return (d[0] * first * first + d[1] * second * second + d[2] * e[2] * e[2]) / Number(2);
+    return half_d[0] * (first * first) + half_d[1] * (second * second) + half_d[2] * (e[2] * e[2]);
   }
   /// \param s xx, yy, xy
   Number stress_energy(const std::array<Number, 3>& s) const {
     const Number second = s[1] - l[0] * s[0], third = s[2] - l[1] * s[0] - l[2] * second;
-    return (s[0] * s[0] / d[0] + second * second / d[1] + third * third / d[2]) / Number(2);
+    return squares(s[0], second, third);
   }
   /// The energy of the stress Ce − s, from L⁻¹(Ce − s) = D Lᵀe − L⁻¹s: what a large modulus has in common cancels
   /// first.
@@ -28,7 +34,12 @@ template <class Number> struct ElasticForm {
     const Number second = s[1] - l[0] * s[0], third = s[2] - l[1] * s[0] - l[2] * second;
     const std::array<Number, 3> rest = {d[0] * (e[0] + l[0] * e[1] + l[1] * e[2]) - s[0],
                                         d[1] * (e[1] + l[2] * e[2]) - second, d[2] * e[2] - third};
-    return (rest[0] * rest[0] / d[0] + rest[1] * rest[1] / d[1] + rest[2] * rest[2] / d[2]) / Number(2);
+    return squares(rest[0], rest[1], rest[2]);
+  }
+
+ private:
+  Number squares(const Number& first, const Number& second, const Number& third) const {
+    return half_inverse[0] * (first * first) + half_inverse[1] * (second * second) + half_inverse[2] * (third * third);
   }
 };
 
@@ -45,14 +56,14 @@ template <class Number> ElasticForm<Number> elastic_form(const scene::Material<2
     return {{sum, two * two * bulk * shear / sum, shear}, {(bulk - shear) / sum, Number(0), Number(0)}};
   }
   const auto c = [&](int i, int j) { return Number(material.stiffness()(i, j)); };
-  ElasticForm<Number> form;
-  form.d[0] = c(0, 0);
-  form.l[0] = c(1, 0) / form.d[0];
-  form.l[1] = c(2, 0) / form.d[0];
-  form.d[1] = c(1, 1) - form.l[0] * c(1, 0);
-  form.l[2] = (c(2, 1) - form.l[1] * c(1, 0)) / form.d[1];
-  form.d[2] = c(2, 2) - form.l[1] * c(2, 0) - form.l[2] * form.l[2] * form.d[1];
-  return form;
+  std::array<Number, 3> d, l;
+  d[0] = c(0, 0);
+  l[0] = c(1, 0) / d[0];
+  l[1] = c(2, 0) / d[0];
+  d[1] = c(1, 1) - l[0] * c(1, 0);
+  l[2] = (c(2, 1) - l[1] * c(1, 0)) / d[1];
+  d[2] = c(2, 2) - l[1] * c(2, 0) - l[2] * l[2] * d[1];
+  return {d, l};
 }
 
 template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const scene::Problem<2>& problem) {

@@ -137,7 +137,7 @@ std::string fault_of_given(const scene::Problem<2>& first, const scene::Displace
 
 }  // namespace
 
-GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
+GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) try {
   if (std::string fault = fault_of_given(first, given); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
   if (!unbalanced.empty()) return {.reason = unbalanced};
@@ -165,6 +165,8 @@ GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacem
   }
   if (!result.valid) result.reason = "the displacement is too large for its energy to be enclosed";
   return result;
+} catch (const ArithmeticFault& fault) {
+  return {.reason = fault.what()};
 }
 
 GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,

@@ -28,16 +28,18 @@ std::string stress_fault(const scene::Problem<2>& problem, const scene::Stress<2
 }
 
 Below from_stress(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
-                  const scene::Stress<2>& stress) {
-  if (std::string fault = arithmetic_fault(); !fault.empty()) return {fault, {}, {}};
+                  const scene::Stress<2>& stress) try {
+  check_arithmetic();
   auto [loads, reason] = balanced<Enclosure, LongSum>(problem, corrections, plain_loads(problem, stress));
   if (!loads) return {reason, {}, {}};
   const Enclosure energy = stress_energy<Enclosure, LongSum>(problem, *loads);
   return {"", energy, std::move(*loads)};
+} catch (const ArithmeticFault& fault) {
+  return {fault.what(), {}, {}};
 }
 
 Above from_displacement(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
-                        const scene::Displacement<2>& displacement) {
+                        const scene::Displacement<2>& displacement) try {
   Above above{"", {}, vertex_supports(problem), {}};
   auto [field, reason] = admissible_field(problem, displacement, above.supports);
   above.reason = reason;
@@ -45,6 +47,8 @@ Above from_displacement(const scene::Problem<2>& problem, const std::vector<Corr
   above.energy = field_energy<Enclosure, LongSum>(problem, above.supports, *field, corrections);
   above.field = std::move(*field);
   return above;
+} catch (const ArithmeticFault& fault) {
+  return {fault.what(), {}, {}, {}};
 }
 
 }  // namespace

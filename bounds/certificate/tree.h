@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "bounds/certificate/arithmetic.h"
 #include "bounds/certificate/totals.h"
 
 /// How cells hand on what they lack of balance.
@@ -24,6 +25,10 @@ EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<
   // What a cell lacks with all that hangs on it, about its first corner. It is handed on as a resultant: taken again
   // from the loads that carry it, its enclosure would grow from cell to cell.
   std::vector<Wrench<Number>> lacks(mesh.cells.size());
+  scene::in_chunks(static_cast<int>(lacks.size()), [&](int, int begin, int end) {
+    check_arithmetic();
+    for (int c = begin; c < end; ++c) lacks[c] = imbalance(problem, loaded_cell(problem, loads, c), c);
+  });
   const auto add_to = [](Wrench<Number>& sum, const Wrench<Number>& part) {
     sum.force = sum.force + part.force;
     sum.moment += part.moment;
@@ -34,8 +39,7 @@ EdgeLoads<Number> handed_on(const scene::Problem<2>& problem, const std::vector<
     if (branch->parent < 0) continue;
     const int i = branch->side;
     const LoadedCell<Number> cell = loaded_cell(problem, loads, branch->cell);
-    Wrench<Number>& own = lacks[branch->cell];
-    add_to(own, imbalance(problem, cell, branch->cell));
+    const Wrench<Number>& own = lacks[branch->cell];
     const SideLoad<Number> carried =
         oriented(load_with({-own.force, -own.moment}, cell.x[i], cell.x[(i + 1) % 3] - cell.x[i]), cell.forward[i]);
     auto& edge = result.edge[cell.edge[i]];

@@ -8,6 +8,7 @@
 
 #include "dual/dual.h"
 #include "primal/primal.h"
+#include "scene/parallel.h"
 #include "tests/bounds/certificate/exact_scenes.h"
 
 #if defined(__x86_64__)
@@ -60,6 +61,24 @@ TEST(Arithmetic, is_checked_by_the_certificate) {
   _mm_setcsr(before | 0x8040u);
   const Certificate certificate = certify(problem, u, stress);
   _mm_setcsr(before);
+  EXPECT_FALSE(certificate.valid);
+  EXPECT_NE(certificate.reason.find("denormal"), std::string::npos) << certificate.reason;
+}
+
+// A pool of threads keeps what whoever made it had set, although it has been set right since.
+TEST(Arithmetic, of_a_pool_is_checked_by_the_certificate) {
+  const auto [problem, energy] = tests::exact_patch(1, 0.25, 0.5, 24);
+  const auto u = primal::solve(problem, 2).displacement;
+  const auto stress = dual::solve(problem, 1).stress;
+  ASSERT_GT(scene::n_chunks(static_cast<int>(problem.mesh.cells.size())), 1);
+  Certificate certificate;
+  std::thread([&] {
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | 0x8040u);
+    scene::for_each_index(10000, [](int) {});
+    _mm_setcsr(before);
+    certificate = certify(problem, u, stress);
+  }).join();
   EXPECT_FALSE(certificate.valid);
   EXPECT_NE(certificate.reason.find("denormal"), std::string::npos) << certificate.reason;
 }
