@@ -222,6 +222,31 @@ Found contact_fault(const Scene<2>& scene) {
   return {};
 }
 
+Found bond_fault(const Scene<2>& scene) {
+  std::set<std::string> used;  // parts of contact pairs and bonds
+  for (const ContactPair<2>& pair : scene.contact)
+    for (const Side* side : {&pair.first, &pair.second}) used.insert(side->parts.begin(), side->parts.end());
+  for (std::size_t i = 0; i < scene.bonds.size(); ++i) {
+    const Bond& bond = scene.bonds[i];
+    for (const auto& [side, of] : {std::pair(&bond.first, "first"), std::pair(&bond.second, "second")}) {
+      const auto fault = [&, key = of](const std::string& message) {
+        return Fault{{"bond", std::to_string(i), key}, message, bond.where};
+      };
+      if (is_wall(*side) || contains(*side, "rigid"))
+        return fault("a bond has two sides of bodies; what sticks to a wall is a boundary part that is fixed = [0, 0]");
+      for (const std::string& part : side->parts) {
+        if (scene.boundary.contains(part))
+          return fault(fmt::format("the part '{}' is bonded and has a condition of its own", part));
+        if (scene.curves.contains(part))
+          return fault(fmt::format("the part '{}' is bonded, along the mesh's edges, and cannot follow a curve", part));
+        if (!used.insert(part).second)
+          return fault(fmt::format("the part '{}' is bonded twice, or in contact too", part));
+      }
+    }
+  }
+  return {};
+}
+
 // ---- settings -------------------------------------------------------------------------------------------------------
 
 Found degree_fault(int degree) {
@@ -253,7 +278,7 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
 }  // namespace
 
 std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
-  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault, quantity_fault})
+  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault, bond_fault, quantity_fault})
     if (Found fault = find(scene)) return fault;
   Found fault = settings_fault(scene.refine, scene.solve);
   if (fault) fault->where = scene.file;
@@ -283,6 +308,14 @@ std::string name(const Side& side) {
 
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
 void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }
+int degree_for(double target, double cells) {
+  const bool fine = cells >= 500;
+  if (target == 0 || target > (fine ? 3e-3 : 3e-2)) return 2;
+  return target > (fine ? 3e-5 : 3e-4) ? 3 : 4;
+}
+
+double bulk_for(int degree) { return degree >= 3 ? 0.8 : 0.5; }
+
 void check_degree(int degree) { throw_if(degree_fault(degree)); }
 
 template void check(const Scene<2>&);

@@ -98,14 +98,15 @@ inline Interval operator*(const Interval& x, const Interval& y) {
   using rounding::product_above;
   if (x.is_empty() || y.is_empty()) return Interval::none();
   if (x.is_zero() || y.is_zero()) return {};
-  if (x.is_point() && y.is_point()) return {-product_above(-x.lower, y.lower), product_above(x.lower, y.lower)};
-  Interval product = Interval::none();
-  for (const Real a : {x.lower, x.upper})
-    for (const Real b : {y.lower, y.upper}) {
-      product.lower = std::min(product.lower, -product_above(-a, b));
-      product.upper = std::max(product.upper, product_above(a, b));
-    }
-  return product;
+  if (x.upper <= 0) return -(-x * y);
+  if (y.upper <= 0) return -(x * -y);
+  if (x.lower >= 0) {
+    const Real least = y.lower >= 0 ? x.lower : x.upper;
+    return {-product_above(-least, y.lower), product_above(x.upper, y.upper)};
+  }
+  if (y.lower >= 0) return y * x;
+  return {std::min(-product_above(-x.lower, y.upper), -product_above(-x.upper, y.lower)),
+          std::max(product_above(x.lower, y.lower), product_above(x.upper, y.upper))};
 }
 
 /// Over the divisors other than 0; empty if there are none.

@@ -87,6 +87,14 @@ template <int dim> struct ContactPair {
   int zones = 0;          ///< stretches of it, equally long, whose forces are wanted as intervals; 0: none
 };
 
+/// Two sides that stick to each other, whatever pulls or shears: bodies that are one piece of several materials. They
+/// coincide node by node, and build_mesh() joins them.
+struct Bond {
+  Side first;
+  Side second;
+  std::string where = {};
+};
+
 /// A boundary part that is an arc: vertices that refinement makes are put on it, and the data fixed anew on each mesh,
 /// which then is a problem of its own.
 struct Curve {
@@ -111,6 +119,13 @@ struct Solve {
   Dual dual = Dual::hybrid;
 };
 
+/// The degree of displacements that comes to a target at about the least cost, by measurement (docs/performance.md).
+/// \param target relative error bound; 0: none asked   \param cells of the first mesh: a fine one costs a high degree
+///     more than it gains
+int degree_for(double target, double cells);
+/// The bulk (see Refine) that does so for a degree.
+double bulk_for(int degree);
+
 template <int dim> struct Scene {
   std::string file;  ///< where it was read from; empty if built in code
   std::string title;
@@ -124,6 +139,7 @@ template <int dim> struct Scene {
   std::map<std::string, Condition<dim>> boundary;
   std::map<std::string, Curve> curves;  ///< by boundary part
   std::vector<ContactPair<dim>> contact;
+  std::vector<Bond> bonds;
   std::vector<Quantity<dim>> quantities;
   Refine refine;
   Solve solve;
@@ -151,9 +167,9 @@ void check_degree(int degree);
 /// \throw Error (input: no such file; mesh: truncated, not plane, empty, degenerate cells, …)
 template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
 
-/// The scene's blocks as a mesh, or its mesh file read. Names that the scene has data for have precedence over others
-/// of the same cells or lines; bodies that share nodes are separated along the lines of contact pairs. \throw Error
-/// (input: as check(), no such file; mesh: not usable, names that contradict each other)
+/// The scene's blocks as a mesh, or its mesh file read, with the sides of bonds joined. Names that the scene has data
+/// for have precedence over others of the same cells or lines; bodies that share nodes are separated along the lines of
+/// contact pairs. \throw Error (input: as check(), no such file; mesh: not usable, names that contradict each other)
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "scene/mesh/bonds.h"
 #include "scene/mesh/readers.h"
 #include "scene/mesh/topology.h"
 #include "scene/text.h"
@@ -93,7 +94,8 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& whe
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
   static_assert(dim == 2);
   check(scene);
-  if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
+  if (scene.mesh_file.empty())
+    return bonded(build_blocks(scene.blocks, scene.mesh_where), scene.bonds, scene.mesh_where);
   RawMesh raw;
   try {
     raw = read_raw_mesh(scene.mesh_file);
@@ -102,7 +104,8 @@ template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
     if (error.status() == Status::input) fail(Status::input, scene.mesh_where, error.what());
     throw;
   }
-  return mesh_of(raw, scene, scene.mesh_file.string());
+  const std::string file = scene.mesh_file.string();
+  return bonded(mesh_of(raw, scene, file), scene.bonds, file);
 }
 
 template Mesh<2> build_mesh(const Scene<2>&);

@@ -27,6 +27,10 @@ Uses used_parts(const Scene<2>& scene) {
     for (const Side* side : {&pair.first, &pair.second})
       for (const std::string& part : side->parts)
         if (part != "rigid") uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
+  for (const Bond& bond : scene.bonds)
+    for (const Side* side : {&bond.first, &bond.second})
+      for (const std::string& part : side->parts)
+        uses[part] = bond.where.empty() ? "bond of '" + part + "'" : bond.where;
   return uses;
 }
 

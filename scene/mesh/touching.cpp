@@ -20,12 +20,15 @@ std::set<int> components_of(const Mesh<2>& mesh, const Side& side) {
   return components;
 }
 
-/// Pairs of components, the lower first, that are in contact.
+/// Pairs of components, the lower first, that are in contact or bonded.
 std::set<std::pair<int, int>> pairs_in_contact(const Mesh<2>& mesh, const Scene<2>& scene) {
   std::set<std::pair<int, int>> pairs;
-  for (const ContactPair<2>& pair : scene.contact)
-    for (const int one : components_of(mesh, pair.first))
-      for (const int other : components_of(mesh, pair.second)) pairs.insert(std::minmax(one, other));
+  const auto add = [&](const Side& first, const Side& second) {
+    for (const int one : components_of(mesh, first))
+      for (const int other : components_of(mesh, second)) pairs.insert(std::minmax(one, other));
+  };
+  for (const ContactPair<2>& pair : scene.contact) add(pair.first, pair.second);
+  for (const Bond& bond : scene.bonds) add(bond.first, bond.second);
   return pairs;
 }
 

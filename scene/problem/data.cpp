@@ -167,6 +167,18 @@ double bounding_box_diagonal(const Mesh<2>& mesh) {
   return box.diagonal().norm();
 }
 
+/// A mesh of one's own may have sides that the scene means to be bonded, and are not.
+void check_joined(const Scene<2>& scene, const Mesh<2>& mesh) {
+  for (const Bond& bond : scene.bonds)
+    for (const auto& facet : mesh.boundary)
+      if (facet.part >= 0 &&
+          (contains(bond.first, mesh.parts[facet.part]) || contains(bond.second, mesh.parts[facet.part])))
+        fail(Status::mesh, bond.where,
+             fmt::format(
+                 "'{}' is bonded in the scene, and lies on the boundary of this mesh; build_mesh() joins the sides",
+                 mesh.parts[facet.part]));
+}
+
 }  // namespace
 
 template <int dim> bool is_loaded(const FacetData<dim>& data) {
@@ -200,6 +212,7 @@ template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
   static_assert(dim == 2);
   throw_if(fault_beside_mesh(scene));
+  check_joined(scene, mesh);
   Problem<dim> problem;
   problem.bodies = bodies_of(scene, mesh);
   const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);

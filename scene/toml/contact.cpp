@@ -2,6 +2,8 @@
 // Planar: lines and circles.
 #include "scene/toml/contact.h"
 
+#include <fmt/format.h>
+
 namespace bracket::scene {
 
 namespace {
@@ -48,7 +50,7 @@ Side read_side(const toml::node& node, const std::string& name, bool second) {
 }  // namespace
 
 ContactPair<2> read_contact(const toml::table& entry) {
-  check_keys(entry, "[[contact]]", {"first", "second", "gap", "name", "zones"});
+  check_keys(entry, "[[contact]]", {"first", "second", "law", "gap", "name", "zones"});
   ContactPair<2> pair;
   pair.where = where(entry);
   pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first", false);
@@ -58,6 +60,20 @@ ContactPair<2> read_contact(const toml::table& entry) {
   if (const toml::node* own = entry.get("name")) pair.name = label(*own, "contact.name");
   if (const toml::node* zones = entry.get("zones")) pair.zones = integer(*zones, "contact.zones");
   return pair;
+}
+
+bool is_bond(const toml::table& entry) {
+  const toml::node* law = entry.get("law");
+  return law && choice<Law>(*law, "contact.law") == Law::bonded;
+}
+
+Bond read_bond(const toml::table& entry) {
+  for (const char* key : {"gap", "zones", "name"})
+    if (const toml::node* node = entry.get(key))
+      refuse(*node, fmt::format("bonded sides are one piece: they have no {}; leave contact.{} out", key, key));
+  check_keys(entry, "[[contact]]", {"first", "second", "law"});
+  return {read_side(required(entry, "[[contact]]", "first"), "contact.first", false),
+          read_side(required(entry, "[[contact]]", "second"), "contact.second", false), where(entry)};
 }
 
 Curve read_curve(const toml::table& entry, const std::string& part) {

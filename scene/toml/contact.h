@@ -5,7 +5,10 @@
 
 namespace bracket::scene {
 
-ContactPair<2> read_contact(const toml::table& entry);                ///< of [[contact]]
+ContactPair<2> read_contact(const toml::table& entry);
+/// Whether an entry of [[contact]] is a bond.
+bool is_bond(const toml::table& entry);
+Bond read_bond(const toml::table& entry);                             ///< of [[contact]]
 Curve read_curve(const toml::table& entry, const std::string& part);  ///< of [curves."PART"]
 
 }  // namespace bracket::scene

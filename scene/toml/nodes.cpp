@@ -111,6 +111,7 @@ template <class Option> Option choice(const toml::node& node, const std::string&
 template Plane choice<Plane>(const toml::node&, const std::string&);
 template Strategy choice<Strategy>(const toml::node&, const std::string&);
 template Dual choice<Dual>(const toml::node&, const std::string&);
+template Law choice<Law>(const toml::node&, const std::string&);
 template StressComponent choice<StressComponent>(const toml::node&, const std::string&);
 
 const toml::table& table(const toml::node& node, const std::string& name) {

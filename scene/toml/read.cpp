@@ -148,6 +148,19 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   return condition;
 }
 
+/// A fault's key as the file has it, where contact pairs and bonds are one list.
+std::vector<std::string> in_file(std::vector<std::string> key, const toml::table& root) {
+  if (key.size() < 2 || (key[0] != "contact" && key[0] != "bond")) return key;
+  int left = std::stoi(key[1]), place = 0;
+  for (const toml::node& entry : *root["contact"].as_array()) {
+    if (is_bond(*entry.as_table()) == (key[0] == "bond") && left-- == 0) break;
+    ++place;
+  }
+  key[0] = "contact";
+  key[1] = std::to_string(place);
+  return key;
+}
+
 // ---- [refine], [solve] ----------------------------------------------------------------------------------------------
 
 Refine read_refine(const toml::table& entry) {
@@ -163,11 +176,27 @@ Refine read_refine(const toml::table& entry) {
   return refine;
 }
 
-Solve read_solve(const toml::table& entry) {
+/// As many as blocks make; a mesh of a file is taken for a fine one.
+double cells_of(const Scene<2>& scene) {
+  if (scene.blocks.empty()) return std::numeric_limits<double>::infinity();
+  double cells = 0;
+  for (const Block<2>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
+  return cells;
+}
+
+/// \param target of [refine]   \param cells of the first mesh
+Solve read_solve(const toml::table& entry, double target, double cells) {
   check_keys(entry, "[solve]", {"degree", "dual"});
   Solve solve;
-  if (const toml::node* node = entry.get("degree")) solve.degree = integer(*node, "solve.degree");
   if (const toml::node* node = entry.get("dual")) solve.dual = choice<Dual>(*node, "solve.dual");
+  const toml::node* degree = entry.get("degree");
+  if (!degree) return solve;
+  if (!degree->is_string())
+    solve.degree = integer(*degree, "solve.degree");
+  else if (text(*degree, "solve.degree") != "auto")
+    refuse(*degree, fmt::format("solve.degree must be an integer from 1 to {} or \"auto\"", largest_degree));
+  else if (solve.dual != Dual::uzawa)  // which has linear stresses
+    solve.degree = degree_for(target, cells);
   return solve;
 }
 
@@ -205,14 +234,22 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
       scene.curves.emplace(part, read_curve(table(node, "curves.\"" + part + "\""), part));
     }
   if (const toml::node* contact = root.get("contact")) {
-    for (const toml::node& pair : tables(*contact, "contact")) scene.contact.push_back(read_contact(*pair.as_table()));
+    for (const toml::node& node : tables(*contact, "contact")) {
+      const toml::table& entry = *node.as_table();
+      if (is_bond(entry))
+        scene.bonds.push_back(read_bond(entry));
+      else
+        scene.contact.push_back(read_contact(entry));
+    }
   }
   if (const toml::node* quantities = root.get("quantity"))
     for (const toml::node& one : tables(*quantities, "quantity"))
       scene.quantities.push_back(read_quantity(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
-  if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"));
-  if (const auto fault = fault_of(scene)) refuse(deepest(root, fault->key), fault->message);
+  if (const toml::node* node = root.get("solve"))
+    scene.solve = read_solve(table(*node, "solve"), scene.refine.target, cells_of(scene));
+  if (!root["refine"]["bulk"]) scene.refine.bulk = bulk_for(scene.solve.degree);
+  if (const auto fault = fault_of(scene)) refuse(deepest(root, in_file(fault->key, root)), fault->message);
   return scene;
 }
 

@@ -115,6 +115,7 @@ TEST(BadScene, IsRefusedWithItsPlace) {
       {"max_seconds = 60", "max_seconds = 0", {"refine.max_seconds"}},
       {"degree = 1", "degree = 5", {"solve.degree must be from 1 to 4"}},
       {"degree = 1", "degree = 0", {"solve.degree"}},
+      {"degree = 1", "degree = \"best\"", {"solve.degree", "\"auto\""}},
       {"\"hybrid\"", "\"hybird\"", {"unknown", "'hybrid'"}},
       {"[solve]", "[solv]", {":38:", "'solv'", "'solve'"}},
   };

@@ -64,6 +64,29 @@ contact = [{ first = "a.top", second = "rigid" }]
   EXPECT_EQ(scene.bodies.at("a").force, Vector<2>(0, 0));
 }
 
+TEST(Scene, DegreeIsChosenByTheTargetAndTheBulkByTheDegree) {
+  const auto solved = [](const std::string& settings) {
+    return read(
+        "schema = 1\nmesh.block = [{ body = 'a', x = [0, 1], y = [0, 1], cells = [1, 1] }]\n"
+        "bodies.a = { E = 1, nu = 0 }\n" +
+        settings);
+  };
+  const auto chosen = [&](const std::string& settings) {
+    return solved("solve.degree = 'auto'\n" + settings).solve.degree;
+  };
+  EXPECT_EQ(chosen(""), 2);
+  EXPECT_EQ(chosen("refine.target = 0.1"), 2);
+  EXPECT_EQ(chosen("refine.target = 0.01"), 3);
+  EXPECT_EQ(chosen("refine.target = 1e-4"), 4);
+  EXPECT_EQ(chosen("refine.target = 1e-4\nsolve.dual = 'uzawa'"), 2);
+  EXPECT_EQ(degree_for(0.01, 500), 2);
+  EXPECT_EQ(degree_for(1e-3, 500), 3);
+  EXPECT_EQ(degree_for(1e-6, 500), 4);
+  EXPECT_EQ(solved("solve.degree = 2").refine.bulk, 0.5);
+  EXPECT_EQ(solved("solve.degree = 3").refine.bulk, 0.8);
+  EXPECT_EQ(solved("solve.degree = 4\nrefine.bulk = 0.5").refine.bulk, 0.5);
+}
+
 TEST(Scene, FormulasKnowCoordinatesAndConstants) {
   const Scene<2> scene = read(two_blocks(), {"boundary.upper.top.traction=['sin(pi*x)*y', '1e-3*e^(x)']"});
   const auto& value = scene.boundary.at("upper.top").value;
