@@ -118,12 +118,10 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
   double most = 0;
   for (std::size_t v = 0; v < given.vertex.size(); ++v) most = std::max(most, length(move(static_cast<int>(v))));
   const MovedField<Enclosure> before = as_given(first, given);
-  const auto points = static_cast<std::size_t>(scene::n_inside_edge(given.degree));  // of an edge
-  for (std::size_t i = 0; i < given.edge.size(); ++i) {
-    const auto& [a, b] = first.mesh.edges[i / points];
-    const int k = static_cast<int>(i % points) + 1;
-    const Vector2<Enclosure> linear = scene::linear_coefficient<Enclosure>(move(a), move(b), given.degree, k);
-    most = std::max(most, length(linear + (added.offsets.edge[i] - before.offsets.edge[i])));
+  const Enclosure half = Enclosure(1) / Enclosure(2);
+  for (std::size_t e = 0; e < given.edge.size(); ++e) {  // midpoints of quadratics
+    const auto& [a, b] = first.mesh.edges[e];
+    most = std::max(most, length(half * (move(a) + move(b) + (added.offsets.edge[e] - before.offsets.edge[e]))));
   }
   return most;
 }

@@ -193,6 +193,26 @@ std::string piece_fault(const Problem<2>& problem) {
   return "";
 }
 
+bool is_same(const scene::Material<2>& a, const scene::Material<2>& b) {
+  const auto &one = a.constants(), &other = b.constants();
+  if (one.has_value() != other.has_value() || a.stiffness() != b.stiffness()) return false;
+  return !one || (one->young == other->young && one->poisson == other->poisson && one->plane == other->plane);
+}
+
+/// \pre perturbation_fault() and piece_fault() find none
+std::string body_fault(const Problem<2>& problem) {
+  const Problem<2>& first = scene::first_of(problem);
+  const auto& by = problem.perturbed.by;
+  if (problem.bodies.size() != first.bodies.size()) return "there are other bodies than on the first mesh";
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    const auto &body = problem.bodies[b], &known = first.bodies[b];
+    const bool is_perturbed = by && !by->force[b].isZero(0);  // then the sum is formed from what the first mesh has
+    if (!is_same(body.material, known.material) || (!is_perturbed && body.force != known.force))
+      return fmt::format("'{}' has another material or weight than on the first mesh", problem.mesh.bodies[b]);
+  }
+  return "";
+}
+
 std::string direction_fault(const Problem<2>& problem) {
   const double cosine = std::cos(25 * 3.14159265358979323846 / 180);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -307,6 +327,8 @@ std::string problem_fault(const Problem<2>& problem) {
       if (std::string fault = piece_fault(problem); !fault.empty()) return fault;
     if (one == &problem)
       if (std::string fault = perturbation_fault(problem); !fault.empty()) return fault;
+    if (one == &problem)
+      if (std::string fault = body_fault(problem); !fault.empty()) return fault;
     if (std::string fault = topology_fault(*one); !fault.empty()) return fault;
     if (std::string fault = direction_fault(*one); !fault.empty()) return fault;
     if (std::string fault = contact_fault(*one); !fault.empty()) return fault;

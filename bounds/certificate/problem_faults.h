@@ -13,8 +13,8 @@ namespace bracket::bounds {
 ///   what has one cell;
 /// - each component hangs together through edges, and is all that does;
 /// - after refinement: cells are dyadic pieces of the first mesh's which meet in the same points, facets are pieces
-///   that cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's, as
-///   scene::enclosed_gap() finds them where they are no quadratics;
+///   that cover the first mesh's, each with its support and direction, gaps enclose the first mesh's, as
+///   scene::enclosed_gap() finds them where they are no quadratics, and bodies have its materials and weights;
 /// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
 ///   the two sides and within 25° of the geometric normals;
 /// - displacements that are prescribed twice agree.
