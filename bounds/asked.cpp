@@ -17,19 +17,28 @@ namespace {
 
 using scene::QuantityKind;
 
-/// The forces of stretches of a contact, all of the same length.
+std::string name_of(const scene::ContactPair<2>& pair) {
+  return pair.name.empty() ? pair.first.parts.front() : pair.name;
+}
+
+/// One of the stretches of equal length of a contact. \param first on its first mesh: of an arc each polygon has
+/// another length
+scene::LineStretch zone_stretch(const scene::ContactPair<2>& pair, const scene::Problem<2>& first, int contact,
+                                int zone) {
+  const double length = open_line(first, contact, name_of(pair), "zones need", pair.where).arc.back();
+  return {length * zone / pair.zones, length * (zone + 1) / pair.zones};
+}
+
+/// The forces of a contact's zones.
 std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int contact) {
   const auto& pair = scene.contact[contact];
   std::vector<Asked<2>> result;
-  if (pair.zones == 0) return result;
-  const std::string name = pair.name.empty() ? pair.first.parts.front() : pair.name;
-  const double length = open_line(problem, contact, name, "zones need", pair.where).arc.back();
   for (int zone = 0; zone < pair.zones; ++zone) {
     scene::Quantity<2> force;
-    force.name = fmt::format("zone {} of {}", zone + 1, name);
+    force.name = fmt::format("zone {} of {}", zone + 1, name_of(pair));
     force.kind = QuantityKind::force;
-    force.of = name;
-    force.stretch = {length * zone / pair.zones, length * (zone + 1) / pair.zones};
+    force.of = name_of(pair);
+    force.stretch = zone_stretch(pair, problem, contact, zone);
     force.where = pair.where;
     result.push_back({std::move(force), contact, zone});
   }
@@ -115,6 +124,9 @@ QuantityInterval on_last_level(const Outcome<dim>& outcome, const scene::Scene<d
   const SolvedLevel<dim> solved{
       outcome.problem,        examined.solvers,       {examined.primal.closed, examined.dual.closed},
       last.certificate.lower, last.certificate.upper, outcome.indicator};
+  if (one.zone >= 0)
+    one.quantity.stretch =
+        zone_stretch(scene.contact[one.contact], scene::first_of(outcome.problem), one.contact, one.zone);
   auto found = evaluate(scene, one.quantity, solved, one.undetermined, one.learned);
   if (one.quantity.kind == QuantityKind::force && one.quantity.stretch) {
     // What is open for sure carries little, whatever its weight's ramps reach.

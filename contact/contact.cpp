@@ -8,7 +8,7 @@
 
 #include "contact/active_set.h"
 #include "contact/clock.h"
-#include "contact/factor.h"
+#include "contact/condensed.h"
 #include "contact/statics.h"
 
 namespace bracket::contact {
@@ -17,55 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
-
-/// K with the pinned unknowns cut off from the others (a diagonal entry is left to them).
-Sparse pinned_stiffness(Sparse stiffness, const std::vector<int>& pinned) {
-  std::vector<char> is_pinned(stiffness.rows(), 0);
-  for (int i : pinned) is_pinned[i] = 1;
-  for (int j = 0; j < stiffness.outerSize(); ++j)
-    for (Sparse::InnerIterator entry(stiffness, j); entry; ++entry)
-      if (entry.row() != j && (is_pinned[j] || is_pinned[entry.row()])) entry.valueRef() = 0;
-  return stiffness;
-}
-
-/// A factorised body. K⁺ is the inverse of K without the pinned unknowns, zero on those.
-struct Condensed {
-  std::vector<int> pinned;
-  Factor factor;
-
-  VectorXd apply(VectorXd force) const {
-    force(pinned).setZero();
-    return factor.solve(force);
-  }
-};
-
-/// The unknowns that contact rows touch, in increasing order.
-std::vector<int> contact_unknowns(const Sparse& rows) {
-  std::vector<int> result;
-  for (int j = 0; j < rows.outerSize(); ++j)
-    if (Sparse::InnerIterator(rows, j)) result.push_back(j);
-  return result;
-}
-
-/// Adds B K⁺ Bᵀ to F: with S = L Lᵀ the Schur complement on the contact unknowns, B S⁻¹ Bᵀ = Xᵀ X, X = L⁻¹ Bᵀ.
-void add_compliance(const Sparse& rows, const Condensed& body, MatrixXd& compliance) {
-  const Trailing trailing = body.factor.trailing();
-  const Sparse by_row = rows.transpose();  // column i: row i of B
-  std::vector<int> place(rows.cols(), -1);
-  for (std::size_t k = 0; k < trailing.unknowns.size(); ++k) place[trailing.unknowns[k]] = static_cast<int>(k);
-  for (int i : body.pinned) place[i] = -1;
-
-  std::vector<Index> touching;
-  for (int i = 0; i < by_row.outerSize(); ++i)
-    if (Sparse::InnerIterator(by_row, i)) touching.push_back(i);
-  MatrixXd right = MatrixXd::Zero(static_cast<Index>(trailing.unknowns.size()), static_cast<Index>(touching.size()));
-  for (std::size_t i = 0; i < touching.size(); ++i)
-    for (Sparse::InnerIterator entry(by_row, touching[i]); entry; ++entry)
-      if (place[entry.row()] >= 0) right(place[entry.row()], static_cast<Index>(i)) = entry.value();
-  trailing.lower.triangularView<Eigen::Lower>().solveInPlace(right);
-  compliance(touching, touching) += right.transpose() * right;
-}
 
 /// K⁺ (f − Bᵀ p)
 VectorXd elastic_displacement(const System& body, const Condensed& condensed, const VectorXd& force,

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apps/report/numbers.h"
+#include "apps/report/shares.h"
 
 namespace bracket::apps {
 namespace {
@@ -92,9 +93,9 @@ std::string quantity_lines(const Report& report) {
   for (const auto& interval : report.outcome.quantities)
     if (interval.zone < 0) longest = std::max(longest, interval.name.size());
   std::string text;
-  for (const auto& interval : report.outcome.quantities)
-    if (interval.zone < 0)
-      text += fmt::format("{:<{}}  {}\n", interval.name, longest, told(interval, report.scene.units));
+  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
+    if (const auto& one = report.outcome.quantities[i]; one.zone < 0)
+      text += fmt::format("{:<{}}  {}{}\n", one.name, longest, told(one, report.scene.units), share_text(report, i));
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "apps/report/numbers.h"
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
+#include "apps/report/shares.h"
 
 namespace bracket::apps {
 namespace {
@@ -48,9 +49,12 @@ std::string answer(const Report& report) {
 
 std::string quantities(const Report& report) {
   Rows rows;
-  for (const bounds::QuantityInterval& one : report.outcome.quantities)
-    rows.push_back({escaped(one.name), escaped(told(one, one.zone < 0 ? report.scene.units : "")),
+  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
+    const bounds::QuantityInterval& one = report.outcome.quantities[i];
+    rows.push_back({escaped(one.name),
+                    escaped(told(one, one.zone < 0 ? report.scene.units : "") + share_text(report, i)),
                     std::to_string(one.levels.empty() ? 0 : one.levels.back().cells)});
+  }
   return rows.empty() ? ""
                       : "<h2>Quantities, between guaranteed bounds</h2>\n" +
                             html_table({"quantity", "interval", "cells"}, rows, 2);

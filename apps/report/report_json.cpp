@@ -10,6 +10,7 @@
 #include "apps/report/json.h"
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
+#include "apps/report/shares.h"
 #include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
@@ -101,9 +102,15 @@ double relative_width(const bounds::Outcome<2>& outcome) {
   return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
 }
 
+Json share_json(const Report& report, std::size_t quantity) {
+  const auto known = share(report, quantity);
+  return known ? Json{{"lower", known->lower}, {"upper", known->upper}} : Json();
+}
+
 Json quantities_json(const Report& report) {
   Json quantities = Json::array();
-  for (const bounds::QuantityInterval& one : report.outcome.quantities) {
+  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
+    const bounds::QuantityInterval& one = report.outcome.quantities[i];
     if (one.zone >= 0) continue;
     Json levels = Json::array();
     for (const bounds::QuantityLevel& level : one.levels)
@@ -118,6 +125,7 @@ Json quantities_json(const Report& report) {
                           {"lower", one.lower},
                           {"upper", one.upper},
                           {"relative_width", one.relative_width},
+                          {"share", share_json(report, i)},
                           {"target_reached", one.target_reached},
                           {"reason", one.reason},
                           {"levels", levels}});
@@ -128,9 +136,10 @@ Json quantities_json(const Report& report) {
 /// The forces of a contact's zones.
 Json zones_json(const Report& report, int contact) {
   Json zones = Json::array();
-  for (const bounds::QuantityInterval& one : report.outcome.quantities)
-    if (one.contact == contact && one.zone >= 0)
-      zones.push_back({{"lower", one.lower}, {"upper", one.upper}, {"reason", one.reason}});
+  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
+    if (const auto& one = report.outcome.quantities[i]; one.contact == contact && one.zone >= 0)
+      zones.push_back(
+          {{"lower", one.lower}, {"upper", one.upper}, {"share", share_json(report, i)}, {"reason", one.reason}});
   return zones;
 }
 

@@ -10,6 +10,7 @@
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
+#include "apps/report/shares.h"
 #include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
@@ -97,10 +98,10 @@ std::string open_line(const Report& report, int pair) {
 std::string zone_lines(const Report& report, int pair) {
   std::string text;
   if (report.outcome.guarantee == "none") return text;
-  for (const bounds::QuantityInterval& one : report.outcome.quantities)
-    if (one.contact == pair && one.zone >= 0)
-      text +=
-          fmt::format("    {}: force {}{}\n", one.name, told(one, ""), one.lower > 0 ? "   in contact somewhere" : "");
+  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
+    if (const auto& one = report.outcome.quantities[i]; one.contact == pair && one.zone >= 0)
+      text += fmt::format("    {}: force {}{}{}\n", one.name, told(one, ""), share_text(report, i),
+                          one.lower > 0 ? "   in contact somewhere" : "");
   return text;
 }
 

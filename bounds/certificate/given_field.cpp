@@ -57,12 +57,12 @@ Strains on_piece(const Strains& whole, const scene::Piece<2>& piece) {
   return by_component(whole, [&](const auto& c) { return scene::on_triangle(c, degree_of(whole), corners); });
 }
 
-/// ‖σ(u_x) − m‖² on a cell, from what ε(u_x) − ½ ε(u_h) and λ_h are.
+/// ‖σ(u) − f λ‖² on a cell, from ε(u), λ and f.
 Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& strain,
-                           const BlockStress<Enclosure>& stress, const Enclosure& doubled_area) {
+                           const BlockStress<Enclosure>& stress, const Enclosure& factor,
+                           const Enclosure& doubled_area) {
   const int degree = std::max(degree_of(strain), degree_of(stress[0]));
   const Strains of_cell = raised_to(degree, strain);
-  const Enclosure half = Enclosure(1) / Enclosure(2);
   Enclosure sum;
   for (int part = 0; part < 3; ++part) {
     const int opposite = (part + 2) % 3;
@@ -73,7 +73,7 @@ Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& st
     for (std::size_t k = 0; k < both.size(); ++k)
       for (int i = 0; i < 3; ++i) {
         both[k][i] = on_part[k][i];
-        both[k][3 + i] = half * lambda[k][i];
+        both[k][3 + i] = factor * lambda[k][i];
       }
     const auto energy = [&](const std::array<Enclosure, 6>& of) {
       return form.difference_energy({of[0], of[1], of[2]}, {of[3], of[4], of[5]});
@@ -118,12 +118,10 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
   double most = 0;
   for (std::size_t v = 0; v < given.vertex.size(); ++v) most = std::max(most, length(move(static_cast<int>(v))));
   const MovedField<Enclosure> before = as_given(first, given);
-  const auto points = static_cast<std::size_t>(scene::n_inside_edge(given.degree));  // of an edge
-  for (std::size_t i = 0; i < given.edge.size(); ++i) {
-    const auto& [a, b] = first.mesh.edges[i / points];
-    const int k = static_cast<int>(i % points) + 1;
-    const Vector2<Enclosure> linear = scene::linear_coefficient<Enclosure>(move(a), move(b), given.degree, k);
-    most = std::max(most, length(linear + (added.offsets.edge[i] - before.offsets.edge[i])));
+  const Enclosure half = Enclosure(1) / Enclosure(2);
+  for (std::size_t e = 0; e < given.edge.size(); ++e) {  // midpoints of quadratics
+    const auto& [a, b] = first.mesh.edges[e];
+    most = std::max(most, length(half * (move(a) + move(b) + (added.offsets.edge[e] - before.offsets.edge[e]))));
   }
   return most;
 }
@@ -183,29 +181,30 @@ GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Di
   const auto forms = elastic_forms<Enclosure>(problem);
   const std::vector<Strains> whole = given_strains(first, given);
   std::vector<LongSum> shares(first.mesh.cells.size());
-  LongSum sum;
+  const Enclosure one(1), two(2), half = one / two;
+  LongSum sum, misfit;  // ‖σ(u_x) − m‖², ‖σ(u_h) − λ_h‖²
   for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
+    const auto& form = forms[problem.mesh.cell_body[c]];
     const scene::Piece<2> piece = scene::piece_of_cell(problem, cell);
     const Strains of_given = on_piece(whole[piece.of], piece),
                   of_own = cell_strain(problem, sides.above.field, own, cell);
     const int degree = std::max(degree_of(of_given), degree_of(of_own));
-    const Strains strain =
-        difference(raised_to(degree, of_given), raised_to(degree, of_own), Enclosure(1) / Enclosure(2));
+    const Strains strain = difference(raised_to(degree, of_given), raised_to(degree, of_own), half);
     const LoadedCell<Enclosure> block = loaded_cell(problem, sides.below.loads, cell);
-    const Enclosure share =
-        squared_distance(forms[problem.mesh.cell_body[c]], strain,
-                         block_stress(problem, sides.below.loads, block, cell), doubled_area(block.x));
+    const BlockStress<Enclosure> lambda = block_stress(problem, sides.below.loads, block, cell);
+    const Enclosure area = doubled_area(block.x), share = squared_distance(form, strain, lambda, half, area);
     sum.add(share);
     shares[piece.of].add(share);
+    misfit.add(squared_distance(form, of_own, lambda, one, area));
   }
   const Enclosure contact =
       contact_work<Enclosure, LongSum>(problem, sides.above.supports, sides.above.field, sides.below.loads);
-  const Enclosure two(2), width = sides.above.energy.total + sides.below.energy;
   GivenDistance result;
   result.lower = root_below(sum.value());
   result.upper = root_above(sum.value());
-  result.stress_error = root_above((width + contact) / two);
+  // ½ (w + κ) by the gap identity: a sum of squares, which does not lose w in the rounding of two energies.
+  result.stress_error = root_above(misfit.value() / Enclosure(4) + contact);
   result.norm_lower = root_below(two * sides.above.energy.strain);
   result.norm_upper = root_above(two * sides.above.energy.strain);
   for (const LongSum& share : shares) result.cell.push_back(std::max(0.0, upper(share.value())));

@@ -28,8 +28,8 @@ struct GivenEnergy {
 /// \param given u_x, of degree 1 or 2; need not solve anything
 GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given);
 
-/// By the equality in docs/other-programs.md, with m = ½ (σ(u_h) + λ_h) and T = ½ (w + κ) of fields that are
-/// admissible:
+/// By the equality in docs/other-programs.md, with m = ½ (σ(u_h) + λ_h) and T = ½ (w + κ) = ¼ ‖σ(u_h) − λ_h‖² + κ of
+/// fields that are admissible:
 ///     | ‖σ(u_x) − m‖ − ‖u_x − u‖_A | ≤ √T
 struct GivenDistance {
   bool valid = false;

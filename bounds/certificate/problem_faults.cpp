@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <limits>
-#include <numeric>
 
 #include "bounds/certificate/elastic_form.h"
 #include "bounds/certificate/geometry.h"
@@ -20,8 +18,6 @@ namespace {
 using scene::Problem;
 using scene::Support;
 using scene::Vector;
-
-bool in_range(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
 
 template <class Values> bool all_finite(const Values& values) {
   return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
@@ -80,116 +76,6 @@ std::string number_fault(const Problem<2>& problem) {
       return fmt::format("the material of '{}' is not positive definite, or its weight not finite",
                          problem.mesh.bodies[b]);
   }
-  return "";
-}
-
-std::string topology_fault(const Problem<2>& problem) {
-  const auto& mesh = problem.mesh;
-  struct Walks {
-    int up = 0, down = 0, cell = -1;
-  };
-  std::vector<Walks> walks(mesh.edges.size());
-  std::vector<int> ranks(mesh.cells.size()), parents(mesh.cells.size());
-  std::iota(parents.begin(), parents.end(), 0);
-  boost::disjoint_sets<int*, int*> connected(ranks.data(), parents.data());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const Enclosure area = doubled_area(corners<Enclosure>(problem, static_cast<int>(c)));
-    if (!(area.middle > area.radius)) return fmt::format("the area of cell {} is not positive with certainty", c);
-    const int cell = static_cast<int>(c);
-    for (int k = 0; k < 3; ++k) {
-      const std::array<int, 2> walked = scene::facet_vertices(mesh, static_cast<int>(c), k);
-      const std::array<int, 2>& edge = mesh.edges[mesh.cell_edges[c][k]];
-      Walks& so_far = walks[mesh.cell_edges[c][k]];
-      if (walked == edge)
-        ++so_far.up;
-      else if (walked[0] == edge[1] && walked[1] == edge[0])
-        ++so_far.down;
-      else
-        return fmt::format("edge {} of cell {} does not join its corners", k, c);
-      if (so_far.up > 1 || so_far.down > 1)
-        return fmt::format("more than one cell lies on one side of the edge of cell {}", c);
-      if (so_far.cell < 0) so_far.cell = cell;
-      if (mesh.cell_component[so_far.cell] != mesh.cell_component[c]) return "two components share an edge";
-      connected.union_set(so_far.cell, cell);
-    }
-  }
-  // As many connected sets as components, and a cell in each: each component is one of the sets.
-  std::vector<char> has_cells(mesh.components.size(), 0);
-  for (const int component : mesh.cell_component) has_cells[component] = 1;
-  std::size_t sets = 0;
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
-    if (connected.find_set(cell) == cell) ++sets;
-  if (sets != mesh.components.size() || std::ranges::count(has_cells, 0) > 0)
-    return "a component of the mesh does not hang together through edges";
-  std::size_t open = 0;
-  for (const Walks& edge : walks) open += edge.up + edge.down == 1;
-  std::vector<char> seen(mesh.edges.size(), 0);
-  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
-    const auto& [vertices, cell, local, edge, part] = mesh.boundary[f];
-    const bool walked = scene::facet_vertices(mesh, cell, local) == vertices && mesh.cell_edges[cell][local] == edge;
-    if (!walked || seen[edge] || walks[edge].up + walks[edge].down != 1)
-      return fmt::format("boundary facet {} is not an edge with one cell, walked as its cell walks it", f);
-    seen[edge] = 1;
-  }
-  return open == mesh.boundary.size() ? "" : "an edge with one cell is not on the boundary";
-}
-
-/// A point of the first mesh: its vertices around it, by number, and their weights; those without are left out.
-using Point = std::array<std::pair<int, double>, 3>;
-constexpr std::pair<int, double> nothing = {std::numeric_limits<int>::max(), 0};
-
-Point sorted(Point point) {
-  for (auto& [vertex, weight] : point)
-    if (weight == 0) vertex = nothing.first;
-  std::ranges::sort(point);
-  return point;
-}
-
-Point corner_of(const scene::Mesh<2>& first, const scene::Piece<2>& piece, int i) {
-  const auto& [x, y] = piece.corner[i];
-  const auto& v = first.cells[piece.of];
-  return sorted({{{v[0], (1 - x) - y}, {v[1], x}, {v[2], y}}});
-}
-
-std::string piece_fault(const Problem<2>& problem) {
-  const Problem<2>& first = scene::first_of(problem);
-  const auto& mesh = problem.mesh;
-  const auto& origin = problem.origin;
-  if (origin.cells.size() != mesh.cells.size() || origin.facets.size() != mesh.boundary.size())
-    return "the pieces of the first mesh and the mesh differ in number";
-  const auto dyadic = [](double x) { return x >= 0 && x <= 1 && (1 + x) - 1 == x; };
-  std::vector<Point> points(mesh.vertices.size(), {nothing, nothing, nothing});
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const auto& piece = origin.cells[c];
-    if (!in_range(piece.of, first.mesh.cells.size()) || first.mesh.cell_body[piece.of] != mesh.cell_body[c] ||
-        first.mesh.cell_component[piece.of] != mesh.cell_component[c])
-      return fmt::format("cell {} is no piece of a cell of its body and component on the first mesh", c);
-    for (int i = 0; i < 3; ++i) {
-      const auto& [x, y] = piece.corner[i];
-      if (!dyadic(x) || !dyadic(y) || x + y > 1) return fmt::format("cell {} lies outside of its first cell", c);
-      Point& known = points[mesh.cells[c][i]];
-      const Point own = corner_of(first.mesh, piece, i);
-      if (known[0] == nothing) known = own;
-      if (known != own) return fmt::format("the cells at vertex {} do not meet in one point", mesh.cells[c][i]);
-    }
-  }
-  std::vector<double> covered(first.facets.size(), 0);
-  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
-    const auto& [of, corner] = origin.facets[f];
-    if (!in_range(of, first.facets.size()) || !(corner[0][0] < corner[1][0]))
-      return fmt::format("boundary facet {} is no piece of a facet of the first mesh", f);
-    const auto& ends = first.mesh.boundary[of].vertices;
-    for (int i = 0; i < 2; ++i) {
-      const double t = corner[i][0];
-      if (!dyadic(t) || points[mesh.boundary[f].vertices[i]] != sorted({{{ends[0], 1 - t}, {ends[1], t}, nothing}}))
-        return fmt::format("boundary facet {} does not lie on its facet of the first mesh", f);
-    }
-    covered[of] += corner[1][0] - corner[0][0];
-    if (problem.facets[f].support != first.facets[of].support || problem.facets[f].normal != first.facets[of].normal)
-      return fmt::format("boundary facet {} has another support or direction than on the first mesh", f);
-  }
-  for (const double width : covered)
-    if (width != 1) return "a facet of the first mesh is not covered by its pieces";
   return "";
 }
 
@@ -307,6 +193,8 @@ std::string problem_fault(const Problem<2>& problem) {
       if (std::string fault = piece_fault(problem); !fault.empty()) return fault;
     if (one == &problem)
       if (std::string fault = perturbation_fault(problem); !fault.empty()) return fault;
+    if (one == &problem)
+      if (std::string fault = body_fault(problem); !fault.empty()) return fault;
     if (std::string fault = topology_fault(*one); !fault.empty()) return fault;
     if (std::string fault = direction_fault(*one); !fault.empty()) return fault;
     if (std::string fault = contact_fault(*one); !fault.empty()) return fault;

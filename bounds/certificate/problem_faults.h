@@ -13,8 +13,8 @@ namespace bracket::bounds {
 ///   what has one cell;
 /// - each component hangs together through edges, and is all that does;
 /// - after refinement: cells are dyadic pieces of the first mesh's which meet in the same points, facets are pieces
-///   that cover the first mesh's, each with its support and direction, and gaps enclose the first mesh's, as
-///   scene::enclosed_gap() finds them where they are no quadratics;
+///   that cover the first mesh's, each with its support and direction, gaps enclose the first mesh's, as
+///   scene::enclosed_gap() finds them where they are no quadratics, and bodies have its materials and weights;
 /// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
 ///   the two sides and within 25° of the geometric normals;
 /// - displacements that are prescribed twice agree.
@@ -24,6 +24,15 @@ std::string problem_fault(const scene::Problem<2>& problem);
 
 /// Of each vertex, the boundary facet that ends there and the one that begins; −1: none.
 std::vector<std::array<int, 2>> facets_that_meet(const scene::Mesh<2>& mesh);
+
+inline bool in_range(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+/// Parts of it. Of cells, edges and boundary, where all indices are in range:
+std::string topology_fault(const scene::Problem<2>& problem);
+/// of cells and facets as pieces of those of the first mesh, for a problem after refinement;
+std::string piece_fault(const scene::Problem<2>& problem);
+/// and of materials and weights, as the first mesh has them. \pre perturbation_fault() finds none
+std::string body_fault(const scene::Problem<2>& problem);
 
 /// A part of it, empty for a problem that is not perturbed: what is added to the data fits the first mesh, is finite,
 /// loads Γ_τ alone (and contacts by their opening), and is made of traces of finite energy: displacements that are one

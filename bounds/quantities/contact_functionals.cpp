@@ -190,8 +190,10 @@ template <int dim> int pair_named(const scene::Scene<dim>& scene, const std::str
   std::vector<int> found;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const auto& pair = scene.contact[i];
-    if (!pair.name.empty()) known.push_back(pair.name);
-    for (const std::string& part : pair.first.parts) known.push_back(part);
+    if (pair.name.empty())
+      known.insert(known.end(), pair.first.parts.begin(), pair.first.parts.end());
+    else
+      known.push_back(pair.name);
     if (pair.name == name || (pair.name.empty() && scene::contains(pair.first, name)))
       found.push_back(static_cast<int>(i));
   }

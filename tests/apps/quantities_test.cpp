@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "apps/report/shares.h"
 #include "tests/apps/command.h"
 
 namespace bracket::apps::tests {
@@ -151,6 +152,81 @@ TEST_F(Quantities, zones_of_a_contact) {
   ASSERT_EQ(zones.size(), 2u);
   for (const Json& zone : zones) EXPECT_LE(zone["lower"], zone["upper"]);
   EXPECT_NE(ended.out.find("zone 2 of upper.bottom: force in ["), std::string::npos) << ended.out;
+}
+
+TEST(Share, encloses_the_ratio_of_any_two_forces_of_the_intervals) {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> uniform(0, 1), power(-6, 0);
+  const auto interval = [](double lower, double upper) {
+    bounds::QuantityInterval result;
+    result.lower = lower;
+    result.upper = upper;
+    return result;
+  };
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double total = 100 * uniform(generator), part = uniform(generator) * total;
+    const double about_part = std::pow(10, power(generator)), about_total = std::pow(10, power(generator));
+    const auto of_part = interval(part * (1 - about_part), part * (1 + about_part));
+    const auto of_all = interval(total * (1 - about_total), total * (1 + about_total));
+    const auto [lower, upper] = share(of_part, of_all);
+    EXPECT_LE(Rational(lower) * Rational(of_all.upper), Rational(of_part.lower));
+    EXPECT_GE(Rational(upper) * Rational(of_all.lower), std::min(Rational(of_part.upper), Rational(of_all.lower)));
+    EXPECT_LE(lower, upper);
+    EXPECT_NEAR(lower, of_part.lower / of_all.upper, 1e-15);
+    EXPECT_NEAR(upper, std::min(1.0, of_part.upper / of_all.lower), 1e-15);
+  }
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto expect = [](const Share& found, double lower, double upper) {
+    EXPECT_DOUBLE_EQ(found.lower, lower);
+    EXPECT_DOUBLE_EQ(found.upper, upper);
+  };
+  expect(share(interval(0.5, infinite), interval(1, 2)), 0.25, 1);
+  expect(share(interval(0.5, 0.75), interval(1, infinite)), 0, 0.75);
+  expect(share(interval(-1e-9, 1e-9), interval(-1e-9, 1e-9)), 0, 1);
+  expect(share(interval(-1, 0), interval(1, 2)), 0, 0);
+}
+
+TEST_F(Quantities, forces_of_stretches_by_the_total) {
+  write("shares.toml", std::string(two_blocks) + R"(
+[[quantity]]
+force = "upper.bottom"
+name  = "all"
+[[quantity]]
+force = "upper.bottom"
+name  = "left"
+from  = 0.5
+to    = 1
+[[quantity]]
+opening = "upper.bottom"
+name    = "gap"
+)");
+  const std::string refined = " --set refine.strategy=uniform --set refine.max_levels=3";
+  const Ended ended = shell("bracket run shares.toml --set contact.0.zones=2" + refined);
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json report = Json::parse(read("shares.out/report.json"));
+  const Json &all = report["quantities"][0], &left = report["quantities"][1], &gap = report["quantities"][2];
+  EXPECT_TRUE(all["share"].is_null());
+  EXPECT_TRUE(gap["share"].is_null());
+  const auto expect_share = [&](const Json& part) {
+    ASSERT_FALSE(part["share"].is_null());
+    const Rational lower(part["share"]["lower"].get<double>()), upper(part["share"]["upper"].get<double>());
+    EXPECT_LE(lower * Rational(all["upper"].get<double>()),
+              std::max(Rational(0), Rational(part["lower"].get<double>())));
+    EXPECT_TRUE(upper == 1 || upper * Rational(all["lower"].get<double>()) >= Rational(part["upper"].get<double>()));
+    EXPECT_TRUE(lower > 0 || upper < 1);
+  };
+  expect_share(left);
+  for (const Json& zone : report["contact"][0]["zones"]) expect_share(zone);
+  const std::string html = read("shares.out/report.html");
+  for (const std::string& text : {ended.out, html}) {
+    std::size_t lines = 0;
+    for (std::size_t at = 0; (at = text.find("   of the total ", at)) != std::string::npos; ++at) ++lines;
+    EXPECT_EQ(lines, 3u) << text;
+  }
+  const Ended without =
+      shell("bracket run scene.toml --no-report --set contact.0.zones=2 --set quantity.1.weight=1" + refined);
+  ASSERT_EQ(without.status, 0) << without.err;
+  EXPECT_EQ(without.out.find("of the total"), std::string::npos) << without.out;
 }
 
 }  // namespace

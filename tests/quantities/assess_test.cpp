@@ -110,6 +110,7 @@ TEST(Assess, linear_elements_where_the_solution_is_known) {
   EXPECT_GT(found.error.lower, 0.05);  // of displacements of about 1: there is something to be found
 }
 
+// What is left is the work of the pressures in the last places by which displacements are moved out of contact.
 TEST(Assess, exact_displacements_have_no_error) {
   const LinearPressure p;
   const scene::Scene<2> scene = linear_pressure(p, 4, 2);
@@ -117,7 +118,7 @@ TEST(Assess, exact_displacements_have_no_error) {
   const Assessment found = assessed(scene, problem, displacement(problem.mesh, 2, exact(p)));
   EXPECT_EQ(found.status, scene::Status::done) << found.reason;
   EXPECT_EQ(found.error.lower, 0);
-  EXPECT_LE(found.relative.upper, 3e-7);
+  EXPECT_LE(found.relative.upper, 5e-8);
 }
 
 // docs/theory.md §9.1: u_y = −Δ y over the height 1 from y = −½; sideways it may be moved as it likes.
@@ -127,14 +128,14 @@ TEST(Assess, patch_and_one_percent_more) {
   const Motion u = [](int, const Vector<2>& x) -> Vector<2> { return {0.3 / 0.7 * 0.01 * x[0], -0.01 * (x[1] + 0.5)}; };
   const Assessment exactly = assessed(scene, problem, displacement(problem.mesh, 1, u));
   EXPECT_EQ(exactly.error.lower, 0);
-  EXPECT_LE(exactly.relative.upper, 2e-7);
+  EXPECT_LE(exactly.relative.upper, 2e-8);
   // The displacement does not meet the support at the top; it is judged as it is.
   const Assessment more = assessed(scene, problem, displacement(problem.mesh, 1, [&](int body, const Vector<2>& x) {
                                      return Vector<2>(1.01 * u(body, x));
                                    }));
   EXPECT_NEAR(more.misfit, 1e-4, 1e-15);
   expect_inside(more.relative, 0.01, 1e-14);
-  EXPECT_LE(more.relative.upper - more.relative.lower, 4e-7);
+  EXPECT_LE(more.relative.upper - more.relative.lower, 4e-8);
 }
 
 TEST(Assess, lift_off_to_a_seventh_of_a_percent_point) {

@@ -52,6 +52,13 @@ TEST(RefusedQuantities, one_clear_line) {
                  "must be linear on each edge");
 }
 
+TEST(RefusedQuantities, of_a_contact_with_a_name_by_its_part) {
+  auto scene = two_blocks(4);
+  scene.contact[0].name = "joint";
+  expect_refusal(quantity(QuantityKind::force, "upper.bottom"),
+                 "there is no contact 'upper.bottom'; did you mean 'joint'? Known: joint", scene);
+}
+
 TEST(RefusedQuantities, names_are_their_own) {
   auto scene = two_blocks(2);
   auto one = quantity(QuantityKind::force, "upper.bottom");

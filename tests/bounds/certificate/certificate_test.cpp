@@ -7,6 +7,7 @@
 #include "bounds/bounds.h"
 #include "dual/dual.h"
 #include "primal/primal.h"
+#include "tests/bounds/certificate/cases.h"
 #include "tests/bounds/certificate/judge.h"
 #include "tests/bounds/certificate/noise.h"
 #include "tests/support/scenes.h"
@@ -16,116 +17,12 @@ namespace {
 
 using scene::Vector;
 
-/// Scenes whose boundary facets have rational lengths where they carry tractions, along axes or after map().
-struct Case {
-  std::string name;
-  scene::Scene<2> scene;
-  bool inclined = false;
-  double disturb = 0;  ///< how far inner vertices are moved
-};
-
-/// A block that nothing but a wall holds in the middle of its load, and that only the data balance sideways.
-scene::Scene<2> on_a_wall() {
-  scene::Scene<2> s;
-  s.blocks = {tests::block("block", -1, 1, 0, 1, 3, 2)};
-  s.bodies = {{"block", scene::isotropic<2>(3, 0.45, scene::Plane::strain)}};
-  s.bodies.at("block").force = {0, -0.3};
-  s.contact = {{"block.bottom", "rigid", tests::constant(0), ""}};
-  s.boundary = {{"block.top", tests::pressure([](const auto& x) { return 1 - 0.7 * x[0]; })}};
-  return s;
-}
-
-/// Full anisotropy, sliding along two sides, squeezed by an interference.
-scene::Scene<2> interference() {
-  scene::Scene<2> s = tests::two_bodies(0, 2, 1, 0.5, 3, 1);
-  scene::Elasticity<2> stiffness;
-  stiffness << 4, 1.3, 0.7, 1.3, 2, -0.4, 0.7, -0.4, 1.1;
-  s.bodies = {{"lower", scene::anisotropic<2>(stiffness)},
-              {"upper", scene::isotropic<2>(1e3, 0.4999, scene::Plane::strain)}};
-  s.boundary = {
-      {"lower.bottom", tests::sliding(0.01)}, {"lower.left", tests::sliding(-0.02)}, {"upper.top", tests::fixed(0, 0)}};
-  s.contact[0].gap = [](const auto& x) { return -0.07 + 0.03 * x[0]; };
-  return s;
-}
-
-scene::Scene<2> negative_poisson() {
-  scene::Scene<2> s = tests::two_blocks(2);
-  s.plane = scene::Plane::stress;
-  s.bodies = {{"lower", scene::isotropic<2>(1, -0.9, s.plane)}, {"upper", scene::isotropic<2>(1e-6, 0.5, s.plane)}};
-  return s;
-}
-
-/// Two bodies whose common end is carried away and turned: their displacements are prescribed where the contact ends.
-scene::Scene<2> turned_end() {
-  scene::Scene<2> s = tests::two_blocks(2);
-  const scene::Condition<2> turn = {
-      tests::ConditionKind::fixed,
-      {[](const auto& x) { return 0.1 - 0.01 * x[1]; }, [](const auto& x) { return 0.3 + 0.01 * x[0]; }},
-      ""};
-  s.boundary = {{"lower.left", turn}, {"upper.left", turn}, {"upper.top", tests::pressure(tests::constant(0.1))}};
-  return s;
-}
-
-/// A block whose prescribed end just touches the wall.
-scene::Scene<2> touching_end(double down) {
-  scene::Scene<2> s;
-  s.blocks = {tests::block("block", 0, 1, 0, 1, 2, 2)};
-  s.bodies = {{"block", scene::isotropic<2>(1, 0.3, scene::Plane::strain)}};
-  s.boundary = {{"block.left", tests::fixed(0.5 * down, -down)}, {"block.top", tests::pressure(tests::constant(0.1))}};
-  s.contact = {{"block.bottom", "rigid", tests::constant(down), ""}};
-  return s;
-}
-
-std::vector<Case> cases() {
-  std::vector<Case> result = {{"everything", tests::everything(2, 2, 2)},
-                              {"on_a_wall", on_a_wall()},
-                              {"interference", interference()},
-                              {"negative_poisson", negative_poisson()},
-                              {"lift_off", tests::two_blocks(2)},
-                              {"linear_pressure", tests::linear_pressure({}, 3, 2)},
-                              {"nearly_incompressible", tests::linear_pressure({.poisson = 0.4999}, 2, 2)},
-                              {"contrast", tests::linear_pressure({.young_lower = 1e6}, 2, 2)},
-                              {"patch", tests::patch(1e6, 0, 0.01, 2)},
-                              {"turned_end", turned_end()},
-                              {"touching_end", touching_end(0.1)},
-                              {"touching_at_rest", touching_end(0)},
-                              {"nothing_held", tests::smooth(2)}};
-  const std::vector<Case> plain = result;
-  const auto add = [&](const std::string& name, bool inclined, double disturb) {
-    const auto found = std::find_if(plain.begin(), plain.end(), [&](const Case& c) { return c.name == name; });
-    result.push_back({name + (inclined ? "_inclined" : "_disturbed"), found->scene, inclined, disturb});
-  };
-  for (const char* name : {"everything", "interference", "on_a_wall", "nearly_incompressible", "contrast"})
-    add(name, false, 0.05);
-  for (const char* name : {"everything", "interference", "lift_off", "patch", "turned_end", "touching_at_rest"})
-    add(name, true, 0);
-  return result;
-}
-
-/// Turned by the angle of the triangle 3-4-5 and stretched by 5/4. Coordinates that are multiples of a power of two
-/// stay so, and sides along axes become sides of rational length.
-Vector<2> map(const Vector<2>& x) { return {x[0] - 0.75 * x[1], 0.75 * x[0] + x[1]}; }
-
-scene::Problem<2> problem_of(const Case& c) {
-  auto mesh = scene::build_mesh(c.scene);
-  std::vector<char> on_boundary(mesh.vertices.size(), 0);
-  for (const auto& facet : mesh.boundary)
-    for (const int v : facet.vertices) on_boundary[v] = 1;
-  std::mt19937 generator(1);
-  std::uniform_real_distribution<double> noise(-c.disturb, c.disturb);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (!on_boundary[v] && c.disturb > 0) mesh.vertices[v] += Vector<2>(noise(generator), noise(generator));
-  if (c.inclined)
-    for (Vector<2>& x : mesh.vertices) x = map(x);
-  return balanced(scene::fix_data(c.scene, mesh), 2);
-}
-
 /// Judges the certificates of all degrees on all cases.
 template <class Check> void for_all_cases(const Check& check) {
-  for (const Case& c : cases())
+  for (const tests::Case& c : tests::cases())
     for (const int degree : {1, 2, 3, 4}) {
       SCOPED_TRACE(c.name + ", degree " + std::to_string(degree));
-      const auto problem = problem_of(c);
+      const auto problem = tests::problem_of(c);
       const auto displacements = primal::solve(problem, degree);
       const auto stresses = dual::solve(problem, scene::stress_degree(degree));
       ASSERT_EQ(displacements.termination, contact::Termination::solved) << displacements.reason;
@@ -134,16 +31,6 @@ template <class Check> void for_all_cases(const Check& check) {
       ASSERT_TRUE(certificate.valid) << certificate.reason;
       check(problem, certificate, judged(problem, displacements.displacement, stresses.stress));
     }
-}
-
-/// Strain energy: L, were there no loads.
-Exact strain_energy(scene::Problem<2> problem, const ExactDisplacement& displacement) {
-  for (auto& body : problem.bodies) body.force.setZero();
-  for (auto& facet : problem.facets) {
-    facet.traction = {Vector<2>::Zero(), Vector<2>::Zero()};
-    facet.pressure = {0, 0};
-  }
-  return potential_energy(problem, displacement, {});
 }
 
 TEST(Certificate, fields_are_admissible_exactly) {
@@ -186,9 +73,9 @@ TEST(Certificate, contains_the_exact_energies_and_is_narrow) {
 
 TEST(Certificate, nothing_penetrates_however_little) {
   // Along the wall as nearly as doubles can: some vertices go into it by less than the enclosures can tell from zero.
-  Case c = {"touching_at_rest", touching_end(0), true};
+  tests::Case c = {"touching_at_rest", tests::touching_end(0), true};
   c.scene.blocks = {tests::block("block", 0, 1, 0, 1, 16, 1)};
-  const auto problem = problem_of(c);
+  const auto problem = tests::problem_of(c);
   const auto supports = vertex_supports(problem);
   const Vector<2>& d = problem.facets[problem.contact[0].first].normal;
   std::mt19937 generator(1);

@@ -83,11 +83,7 @@ Exact bound_by_definition(const Posed& posed, const Judged& exact, const ExactDi
   own_gaps.contact = posed.problem.contact;
   const Exact l = potential_energy(posed.problem, exact.displacement, exact.stress.added);
   const Exact s = complementary_energy(own_gaps, exact.stress, unperturbed);
-  Exact contact;
-  for (const auto& pair : perturbed.contact) {
-    const Polynomial left = gap(pair) - approach(perturbed, exact.displacement, pair);
-    contact += (pressure(perturbed, exact.stress, pair) * left).mean();
-  }
+  const Exact contact = contact_term(perturbed, exact.stress, exact.displacement);
   return l + s - half * (distance(perturbed, exact.stress, exact.displacement) - contact);
 }
 

@@ -42,7 +42,14 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
 /// S. \param displacement in K: what it is on Γ_u and Γ_0 is what is prescribed there
 Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress,
                            const ExactDisplacement& displacement);
-/// ½ ‖σ(u) − λ‖²_{C⁻¹} + ∫ p (g − r(u)) over Γ_K: by the gap identity L + S, if both fields are admissible.
+/// ½ A(u, u)
+Exact strain_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
+/// ½ ‖σ(u) − λ‖²_{C⁻¹} on each cell.
+std::vector<Exact> misfits(const scene::Problem<2>& problem, const ExactStress& stress,
+                           const ExactDisplacement& displacement);
+/// ∫ p (g − r(u)) over Γ_K.
+Exact contact_term(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& displacement);
+/// ½ ‖σ(u) − λ‖²_{C⁻¹} + ∫ p (g − r(u)): by the gap identity L + S, if both fields are admissible.
 Exact distance(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& displacement);
 
 /// What certify() made of two fields, in rational numbers.

@@ -81,25 +81,33 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
   return result;
 }
 
+Exact strain_energy(const scene::Problem<2>& problem, const ExactDisplacement& u) {
+  Exact result;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c) {
+    const int cell = static_cast<int>(c);
+    const StressField e = strain(problem.mesh, u, cell);
+    result += area(corners_of(problem.mesh, cell)) *
+              (half * product(e, times(stiffness(scene::body_of(problem, cell).material), e))).mean();
+  }
+  return result;
+}
+
 namespace {
 
-/// ½ ‖λ − factor σ(u)‖²_{C⁻¹}, part by part.
+/// ½ ‖λ − factor σ(u)‖²_{C⁻¹} on a cell, part by part.
 Exact stress_norm(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u,
-                  const Exact& factor) {
+                  const Exact& factor, int cell) {
   const auto& mesh = problem.mesh;
+  const Matrix hooke = stiffness(scene::body_of(problem, cell).material), compliance = inverse(hooke);
+  StressField sigma;
+  if (!is_zero(factor)) sigma = times(hooke, strain(mesh, u, cell));
   Exact result;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const int cell = static_cast<int>(c);
-    const Matrix hooke = stiffness(problem.bodies[mesh.cell_body[c]].material), compliance = inverse(hooke);
-    StressField sigma;
-    if (!is_zero(factor)) sigma = times(hooke, strain(mesh, u, cell));
-    for (int i = 0; i < 3; ++i) {
-      const auto coordinates = coordinates_on_part(i);
-      StressField s = stress.cell[c][i];
-      if (!is_zero(factor))
-        s = sum(s, {sigma[0].of(coordinates), sigma[1].of(coordinates), sigma[2].of(coordinates)}, -factor);
-      result += third * area(corners_of(mesh, cell)) * half * product(s, times(compliance, s)).mean();
-    }
+  for (int i = 0; i < 3; ++i) {
+    const auto coordinates = coordinates_on_part(i);
+    StressField s = stress.cell[cell][i];
+    if (!is_zero(factor))
+      s = sum(s, {sigma[0].of(coordinates), sigma[1].of(coordinates), sigma[2].of(coordinates)}, -factor);
+    result += third * area(corners_of(mesh, cell)) * half * product(s, times(compliance, s)).mean();
   }
   return result;
 }
@@ -107,7 +115,9 @@ Exact stress_norm(const scene::Problem<2>& problem, const ExactStress& stress, c
 }  // namespace
 
 Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
-  Exact result = stress_norm(problem, stress, u, Exact(0));
+  Exact result;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+    result += stress_norm(problem, stress, u, Exact(0), static_cast<int>(c));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const Support support = problem.facets[f].support;
     if (support != Support::fixed && support != Support::sliding) continue;
@@ -118,10 +128,23 @@ Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& 
   return result;
 }
 
-Exact distance(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
-  Exact result = stress_norm(problem, stress, u, Exact(1));
+std::vector<Exact> misfits(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
+  std::vector<Exact> result;
+  for (std::size_t c = 0; c < problem.mesh.cells.size(); ++c)
+    result.push_back(stress_norm(problem, stress, u, Exact(1), static_cast<int>(c)));
+  return result;
+}
+
+Exact contact_term(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
+  Exact result;
   for (const auto& pair : problem.contact)
     result += (pressure(problem, stress, pair) * (gap(pair) - approach(problem, u, pair))).mean();
+  return result;
+}
+
+Exact distance(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
+  Exact result = contact_term(problem, stress, u);
+  for (const Exact& misfit : misfits(problem, stress, u)) result += misfit;
   return result;
 }
 

@@ -108,6 +108,9 @@ TEST(ProblemFault, after_refinement) {
       {[](auto& p) { p.contact[0].lower[1] += 1e-9, p.contact[0].upper[1] += 1e-9; }, "gaps"},
       {[](auto& p) { p.contact[1].upper[0] -= 1e-9, p.contact[1].lower[0] -= 2e-9; }, "gaps"},
       {[](auto& p) { std::swap(p.contact[0].second, p.contact[1].second); }, ""},
+      {[](auto& p) { p.bodies[1].material = scene::isotropic<2>(5, 0.375, scene::Plane::strain); },
+       "material or weight"},
+      {[](auto& p) { p.bodies[0].force[1] *= 2; }, "material or weight"},
   };
   for (const auto& [change, named] : changes) expect_refused(refined(), change, named);
 }

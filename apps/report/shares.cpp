@@ -1,0 +1,70 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/shares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/report/quantities.h"
+#include "scene/enclosure.h"
+
+namespace bracket::apps {
+namespace {
+
+using bounds::QuantityInterval;
+using scene::Enclosure;
+
+bool is_stretch(const Report& report, std::size_t quantity) {
+  if (report.outcome.quantities[quantity].zone >= 0) return true;
+  const auto& asked = report.scene.quantities[quantity];
+  return asked.kind == scene::QuantityKind::force && asked.stretch;
+}
+
+bool is_total(const Report& report, std::size_t quantity, int contact) {
+  const QuantityInterval& one = report.outcome.quantities[quantity];
+  if (one.zone >= 0 || one.contact != contact || one.weighted) return false;
+  const auto& asked = report.scene.quantities[quantity];
+  return asked.kind == scene::QuantityKind::force && !asked.stretch && !asked.weight;
+}
+
+/// On an arc each mesh is a problem of its own.
+bool on_one_mesh(const QuantityInterval& a, const QuantityInterval& b) {
+  return !a.levels.empty() && !b.levels.empty() && a.levels.back().cells == b.levels.back().cells;
+}
+
+}  // namespace
+
+Share share(const QuantityInterval& part, const QuantityInterval& total) {
+  Share result;
+  if (part.lower > 0 && std::isfinite(total.upper))
+    result.lower = lower(Enclosure(part.lower) / Enclosure(total.upper));
+  if (total.lower > 0 && std::isfinite(part.upper))
+    result.upper = std::min(1.0, upper(Enclosure(std::max(0.0, part.upper)) / Enclosure(total.lower)));
+  return result;
+}
+
+std::optional<Share> share(const Report& report, std::size_t quantity) {
+  const auto& quantities = report.outcome.quantities;
+  const QuantityInterval& part = quantities[quantity];
+  if (report.outcome.guarantee == "none" || !is_stretch(report, quantity)) return {};
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (!is_total(report, i, part.contact) || !on_one_mesh(part, quantities[i])) continue;
+    const Share result = share(part, quantities[i]);
+    if (result.lower > 0 || result.upper < 1) return result;
+  }
+  return {};
+}
+
+std::string share_text(const Report& report, std::size_t quantity) {
+  const auto known = share(report, quantity);
+  if (!known) return "";
+  const Enclosure hundred(100);
+  const double low = lower(hundred * Enclosure(known->lower)), high = upper(hundred * Enclosure(known->upper));
+  const auto [from, to] = enclosed_in_decimals(low, std::min(high, 100.0));
+  if (known->lower == 0) return fmt::format("   of the total at most {} %", to);
+  if (known->upper == 1) return fmt::format("   of the total at least {} %", from);
+  return fmt::format("   of the total {} to {} %", from, to);
+}
+
+}  // namespace bracket::apps

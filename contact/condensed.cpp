@@ -1,0 +1,50 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact/condensed.h"
+
+namespace bracket::contact {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+VectorXd Condensed::apply(VectorXd force) const {
+  force(pinned).setZero();
+  return factor.solve(force);
+}
+
+Sparse pinned_stiffness(Sparse stiffness, const std::vector<int>& pinned) {
+  std::vector<char> is_pinned(stiffness.rows(), 0);
+  for (int i : pinned) is_pinned[i] = 1;
+  for (int j = 0; j < stiffness.outerSize(); ++j)
+    for (Sparse::InnerIterator entry(stiffness, j); entry; ++entry)
+      if (entry.row() != j && (is_pinned[j] || is_pinned[entry.row()])) entry.valueRef() = 0;
+  return stiffness;
+}
+
+std::vector<int> contact_unknowns(const Sparse& rows) {
+  std::vector<int> result;
+  for (int j = 0; j < rows.outerSize(); ++j)
+    if (Sparse::InnerIterator(rows, j)) result.push_back(j);
+  return result;
+}
+
+void add_compliance(const Sparse& rows, const Condensed& body, MatrixXd& compliance) {
+  const Trailing trailing = body.factor.trailing();
+  const Sparse by_row = rows.transpose();  // column i: row i of B
+  std::vector<int> place(rows.cols(), -1);
+  for (std::size_t k = 0; k < trailing.unknowns.size(); ++k) place[trailing.unknowns[k]] = static_cast<int>(k);
+  for (int i : body.pinned) place[i] = -1;
+
+  std::vector<Index> touching;
+  for (int i = 0; i < by_row.outerSize(); ++i)
+    if (Sparse::InnerIterator(by_row, i)) touching.push_back(i);
+  MatrixXd right = MatrixXd::Zero(static_cast<Index>(trailing.unknowns.size()), static_cast<Index>(touching.size()));
+  for (std::size_t i = 0; i < touching.size(); ++i)
+    for (Sparse::InnerIterator entry(by_row, touching[i]); entry; ++entry)
+      if (place[entry.row()] >= 0) right(place[entry.row()], static_cast<Index>(i)) = entry.value();
+  trailing.lower.triangularView<Eigen::Lower>().solveInPlace(right);
+  compliance(touching, touching) += right.transpose() * right;
+}
+
+}  // namespace bracket::contact

@@ -1,0 +1,29 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Sparse>
+#include <vector>
+
+#include "contact/factor.h"
+
+/// A body as its contact sees it.
+namespace bracket::contact {
+
+/// A factorised body. K⁺ is the inverse of K without the pinned unknowns, zero on those.
+struct Condensed {
+  std::vector<int> pinned;
+  Factor factor;
+
+  Eigen::VectorXd apply(Eigen::VectorXd force) const;  ///< K⁺ f
+};
+
+/// K with the pinned unknowns cut off from the others (a diagonal entry is left to them).
+Eigen::SparseMatrix<double> pinned_stiffness(Eigen::SparseMatrix<double> stiffness, const std::vector<int>& pinned);
+
+/// The unknowns that contact rows touch, in increasing order.
+std::vector<int> contact_unknowns(const Eigen::SparseMatrix<double>& rows);
+
+/// Adds B K⁺ Bᵀ to F: with S = L Lᵀ the Schur complement on the contact unknowns, B S⁻¹ Bᵀ = Xᵀ X, X = L⁻¹ Bᵀ.
+void add_compliance(const Eigen::SparseMatrix<double>& rows, const Condensed& body, Eigen::MatrixXd& compliance);
+
+}  // namespace bracket::contact
