@@ -93,6 +93,7 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& whe
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
   static_assert(dim == 2);
   check(scene);
+  if (scene.given) return mesh_of(raw_mesh_of(*scene.given), scene, scene.mesh_where);
   if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
   RawMesh raw;
   try {
