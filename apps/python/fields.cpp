@@ -79,8 +79,8 @@ void add_fields(py::module_& module) {
                      "centroid; part k holds the edge opposite to vertex k. Arrays are copies.")
       .def_readonly("degree", &Stress::degree, "1 to 3.")
       .def_property_readonly("coefficients", coefficients_of,
-                             "(m, 3, (degree + 1)(degree + 2)/2, 3), Bernstein coefficients (xx, yy, xy) of each part, "
-                             "force by area.\n"
+                             "(m, 3, (degree + 1)(degree + 2)/2, 3), Bernstein coefficients of each part, force by\n"
+                             "area, (xx, yy, xy).\n"
                              "Those at 0, degree and -1 are its values at the ends of the edge, in the order of\n"
                              "`Mesh.cells` from vertex k + 1 on, and at the centroid.");
 }

@@ -13,8 +13,9 @@ namespace bracket::python {
 
 void add_error(pybind11::module_& module);
 void add_scene(pybind11::module_& module);
-void add_fields(pybind11::module_& module);   ///< meshes, displacements, stresses, contact lines
-void add_outcome(pybind11::module_& module);  ///< what run() finds, and run() itself
+void add_settings(pybind11::class_<scene::Scene<2>>& scene);  ///< methods: refinement, solution, checks, its mesh
+void add_fields(pybind11::module_& module);                   ///< meshes, displacements, stresses, contact lines
+void add_outcome(pybind11::module_& module);                  ///< what run() finds, and run() itself
 void add_assessment(pybind11::module_& module);
 
 /// A scene as it was run and what came of it.

@@ -22,11 +22,11 @@ struct ContactLine {
   py::array_t<double> points, pressure, gap;
 };
 
-/// Rows of equal length as an array of shape (n, columns). \param columns of an array without rows
-py::array_t<double> table(const std::vector<std::vector<double>>& rows, std::size_t columns) {
+/// Rows of equal length as an array of shape (n, columns).
+py::array_t<double> table(const std::vector<std::vector<double>>& rows) {
+  const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   std::vector<double> all;
   for (const auto& row : rows) all.insert(all.end(), row.begin(), row.end());
-  if (!rows.empty()) columns = rows.front().size();
   return array_of(all.data(), {static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(columns)});
 }
 
@@ -47,8 +47,8 @@ std::vector<ContactLine> contacts_of(const Result& self) {
     }
     lines.push_back({pair.name, scene::name(pair.first), scene::name(pair.second),
                      bounds::contact_result(problem, self.outcome.stress, static_cast<int>(i)),
-                     array_of(points.data(), {static_cast<py::ssize_t>(points.size()) / 4, 2, 2}), table(pressure, 0),
-                     table(gap, 0)});
+                     array_of(points.data(), {static_cast<py::ssize_t>(points.size()) / 4, 2, 2}), table(pressure),
+                     table(gap)});
   }
   return lines;
 }
@@ -243,9 +243,8 @@ void add_outcome(py::module_& module) {
            "Displacements (n, 2) and stresses in equilibrium (n, 3) (xx, yy, xy) at points (n, 2); nan outside of all\n"
            "bodies. Computed, not guaranteed. Looks through all cells for each point.")
       .def("resultant", resultant_on, py::arg("part"), py::arg("about") = std::array<double, 2>{0, 0},
-           "Force (2,) and moment, counter-clockwise, of the stress in equilibrium on a boundary part: what acts there "
-           "on\n"
-           "its body, by thickness. Computed, not guaranteed.");
+           "Force (2,) and moment, counter-clockwise, of the stress in equilibrium on a boundary part: what\n"
+           "acts there on its body, by thickness. Computed, not guaranteed.");
   add_reports(outcome);
   module.def(
       "run", run, py::arg("scene"), py::arg("progress") = py::none(),

@@ -1,15 +1,14 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
 #include <variant>
 
 #include "apps/python/arrays.h"
 #include "apps/python/functions.h"
 #include "apps/python/module.h"
+#include "apps/python/options.h"
 
 namespace bracket::python {
 
@@ -19,14 +18,6 @@ using Scene = scene::Scene<2>;
 using Pair = std::array<double, 2>;
 
 scene::Vector<2> vector_of(const Pair& pair) { return {pair[0], pair[1]}; }
-
-template <class Option> Option option_of(const std::string& text, const char* what) {
-  const auto& names = scene::option_names<Option>;
-  const auto found = std::ranges::find(names, text);
-  if (found == names.end())
-    throw py::value_error(fmt::format("{} must be one of {}, not '{}'", what, fmt::join(names, ", "), text));
-  return static_cast<Option>(found - names.begin());
-}
 
 std::vector<std::string> names_of(const py::object& given, const std::string& what) {
   if (py::isinstance<py::str>(given)) return {given.cast<std::string>()};
@@ -141,41 +132,6 @@ void add_quantity(Scene& scene, const std::string& name, const std::string& kind
   scene.quantities.push_back(std::move(quantity));
 }
 
-void set_refine(Scene& scene, const std::optional<std::string>& strategy, std::optional<double> target,
-                std::optional<double> bulk, std::optional<int> max_levels, std::optional<int> max_cells,
-                std::optional<double> max_seconds, const std::optional<std::string>& goal,
-                std::optional<bool> all_levels) {
-  const auto set = [](auto& setting, const auto& given) {
-    if (given) setting = *given;
-  };
-  scene::Refine& refine = scene.refine;
-  if (strategy) refine.strategy = option_of<scene::Strategy>(*strategy, "strategy");
-  set(refine.target, target);
-  set(refine.bulk, bulk);
-  set(refine.max_levels, max_levels);
-  set(refine.max_cells, max_cells);
-  set(refine.max_seconds, max_seconds);
-  set(refine.goal, goal);
-  set(refine.all_levels, all_levels);
-}
-
-/// The mesh that `bracket mesh` writes: contact sides cut alike, refined uniformly.
-scene::Mesh<2> mesh_of(const Scene& given, int refinements) {
-  if (refinements < 0) throw py::value_error(fmt::format("refinements must not be negative, is {}", refinements));
-  const Scene scene = given;
-  const py::gil_scoped_release released;
-  scene::Problem<2> problem = scene::fix_data(scene, scene::build_mesh(scene));
-  for (int i = 0; i < refinements; ++i) {
-    if (4 * problem.mesh.cells.size() > static_cast<std::size_t>(scene.refine.max_cells))
-      throw scene::Error(scene::Status::input, scene.file,
-                         fmt::format("{} refinements make more cells than refine.max_cells = {}", refinements,
-                                     scene.refine.max_cells));
-    const std::vector<char> all(problem.mesh.cells.size(), 1);
-    problem = scene::refine(problem, all).problem;
-  }
-  return problem.mesh;
-}
-
 void add_obstacles(py::module_& module) {
   py::class_<scene::LineObstacle>(module, "Line", "A straight wall that does not move, a second side of a contact.")
       .def(py::init([](const Pair& point, const Pair& normal) {
@@ -221,29 +177,6 @@ void add_conditions(py::class_<Scene>& scene) {
           py::arg("part"), py::arg("value"), "Loads a boundary part by a pressure, force by area; > 0 pushes.");
 }
 
-void add_settings(py::class_<Scene>& scene) {
-  const auto none = py::none();
-  scene
-      .def("set_refine", set_refine, py::kw_only(), py::arg("strategy") = none, py::arg("target") = none,
-           py::arg("bulk") = none, py::arg("max_levels") = none, py::arg("max_cells") = none,
-           py::arg("max_seconds") = none, py::arg("goal") = none, py::arg("all_levels") = none,
-           "Sets what is given and leaves the rest. strategy: \"adaptive\", \"uniform\" or \"none\", which is the\n"
-           "default. target: relative error bound to reach. goal: name of the quantity to refine for. all_levels:\n"
-           "quantities on each mesh.")
-      .def(
-          "set_solve",
-          [](Scene& self, std::optional<int> degree, const std::optional<std::string>& dual) {
-            if (degree) self.solve.degree = *degree;
-            if (dual) self.solve.dual = option_of<scene::Dual>(*dual, "dual");
-          },
-          py::kw_only(), py::arg("degree") = none, py::arg("dual") = none,
-          "degree: of the displacements, 1 to 4. dual: \"hybrid\" or \"uzawa\".")
-      .def("check", scene::check<2>, "Raises Error for the first fault that can be seen without the mesh.")
-      .def("mesh", mesh_of, py::arg("refinements") = 0,
-           "The mesh that runs begin with, for another program, as `bracket mesh` writes it: contact sides are cut\n"
-           "alike, bodies that touch have vertices of their own. refinements: uniform ones.");
-}
-
 void add_parts(py::class_<Scene>& scene) {
   const auto none = py::none();
   scene
@@ -271,24 +204,20 @@ void add_parts(py::class_<Scene>& scene) {
           "body_force: force by volume.")
       .def("add_contact", add_contact, py::arg("first"), py::arg("second"), py::arg("gap") = none, py::kw_only(),
            py::arg("name") = "", py::arg("zones") = 0,
-           "Contact without friction. first: a boundary part, or a list of them. second: likewise, or \"rigid\" (a "
-           "wall\n"
-           "along the first), a Line or a Circle. gap: a length, < 0 for interference; None: as drawn. zones: equally\n"
-           "long stretches whose forces are wanted as intervals.")
+           "Contact without friction. first: a boundary part, or a list of them. second: likewise, or\n"
+           "\"rigid\", a wall along the first, a Line or a Circle. gap: a length, < 0 for interference;\n"
+           "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.")
       .def("add_curve", add_curve, py::arg("part"), py::kw_only(), py::arg("center") = none, py::arg("radius") = none,
            "A boundary part that is an arc: of this circle, or of the one through its vertices.")
       .def("add_quantity", add_quantity, py::arg("name"), py::arg("kind"), py::arg("of") = "", py::kw_only(),
            py::arg("direction") = none, py::arg("component") = none, py::arg("stretch") = none,
            py::arg("weight") = none, py::arg("target") = 0.0, py::arg("absolute") = 0.0,
            "An interval for what you ask.\n\n"
-           "kind, of: \"displacement\", \"rotation\", \"reaction\" of a boundary part; \"body\" (its mean "
-           "displacement),\n"
-           "\"stress\" (its mean) of a body; \"force\", \"opening\" of a contact, by its name or its first part; "
-           "\"energy\".\n"
-           "direction: (x, y) or \"normal\", of displacement, body and reaction. component: \"xx\", \"yy\", \"xy\" or "
-           "\"mean\"\n"
-           "of stress. stretch: (from, to) by arc length, or weight: a function, of force and opening.\n"
-           "target, absolute: width to reach, relative or in the quantity's own units.");
+           "kind, of: \"displacement\", \"rotation\" or \"reaction\" of a boundary part; \"body\", its mean\n"
+           "displacement, or \"stress\", its mean, of a body; \"force\" or \"opening\" of a contact, by its name or\n"
+           "its first part; \"energy\". direction: (x, y) or \"normal\", of displacement, body and reaction.\n"
+           "component: \"xx\", \"yy\", \"xy\" or \"mean\", of stress. stretch: (from, to) by arc length, or weight:\n"
+           "a function, of force and opening. target, absolute: width to reach, relative or in the quantity's units.");
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ if(module)
   cmake_path(GET package PARENT_PATH folder)
   set(ENV{PYTHONPATH} ${folder})
   file(GLOB_RECURSE scene ${prefix}/share/bracket/scenes/patch.toml)
-  run(${PYTHON} -c "import bracket; assert bracket.__file__.startswith('${prefix}')
+  run(${PYTHON} -c "import bracket
+assert bracket.__file__.startswith('${prefix}')
 assert bracket.run(bracket.read_scene('${scene}')).guarantee == 'rounding-safe'")
 endif()
 run(${CMAKE_COMMAND} -E echo "[  PASSED  ] 1 test.")  # tests/run.sh counts it among GoogleTest's
