@@ -30,21 +30,23 @@ Found size_fault(Key key, const std::string& name, double value, const std::stri
 // ---- mesh -----------------------------------------------------------------------------------------------------------
 
 Found block_fault(const Block<2>& block, const Key& key) {
-  const std::string where = block.where.empty() ? fmt::format("the block of '{}'", block.body) : block.where;
+  const std::string& where = block.where;
+  const std::string which = where.empty() ? fmt::format("the block of '{}': ", block.body) : "";
   if (block.body.empty()) return Fault{with(key, "body"), "mesh.block.body must not be empty", block.where};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const std::string name = axis == 0 ? "x" : "y";
     const auto& [from, to] = block.range[axis];
     for (const double end : {from, to})
-      if (Found fault = size_fault(with(key, name), "mesh.block." + name, end, where)) return fault;
+      if (Found fault = size_fault(with(key, name), which + "mesh.block." + name, end, where)) return fault;
     if (from >= to) {
-      return Fault{with(key, name),
-                   fmt::format("mesh.block.{} = [{}, {}] is empty; write [from, to] with from < to", name, from, to),
-                   where};
+      return Fault{
+          with(key, name),
+          fmt::format("{}mesh.block.{} = [{}, {}] is empty; write [from, to] with from < to", which, name, from, to),
+          where};
     }
     if (block.cells[axis] < 1) {
-      return Fault{with(key, "cells"), fmt::format("mesh.block.cells must be at least 1, is {}", block.cells[axis]),
-                   where};
+      return Fault{with(key, "cells"),
+                   fmt::format("{}mesh.block.cells must be at least 1, is {}", which, block.cells[axis]), where};
     }
   }
   return {};
@@ -68,9 +70,9 @@ bool fit_together(const Block<2>& one, const Block<2>& other) {
 
 std::optional<Fault> mesh_fault(const Scene<2>& scene) {
   constexpr double most_cells = 2e7;  // so that all indices, three and four to a cell, are far from the end of int
-  if (scene.blocks.empty() == scene.mesh_file.empty()) {
-    return Fault{{"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]])", scene.mesh_where};
-  }
+  if (!scene.blocks.empty() + !scene.mesh_file.empty() + scene.given.has_value() != 1)
+    return Fault{
+        {"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]]), or given in code", scene.mesh_where};
   if (Found fault = size_fault({"mesh", "merge"}, "mesh.merge", scene.merge, scene.mesh_where)) return fault;
   if (scene.merge < 0)
     return Fault{

@@ -33,6 +33,16 @@ template <int dim> struct Block {
   std::string name = {};   ///< not empty: its parts are "body.name.left", …
 };
 
+/// Triangles of one's own, in place of blocks and mesh files. They are treated as those of a file: clockwise ones are
+/// turned, vertices without a cell left out, bodies that share vertices joined or, along the lines of a contact pair,
+/// separated.
+template <int dim> struct GivenMesh {
+  std::vector<Vector<dim>> vertices;
+  std::vector<std::array<int, dim + 1>> cells;                          ///< places in `vertices`
+  std::map<std::string, std::vector<int>> bodies;                       ///< places in `cells`; empty: one body, "body"
+  std::map<std::string, std::vector<std::array<int, dim>>> parts = {};  ///< facets, by places in `vertices`
+};
+
 /// What is prescribed on one boundary part. `value`: `dim` functions for fixed (displacement) and traction (force per
 /// area), one for sliding (displacement along the outward normal) and pressure (traction −p n).
 template <int dim> struct Condition {
@@ -132,9 +142,10 @@ template <int dim> struct Scene {
   std::string units;
   Plane plane = Plane::strain;
   std::vector<Block<dim>> blocks;
-  std::filesystem::path mesh_file;  ///< empty: blocks
+  std::filesystem::path mesh_file;      ///< empty: blocks, or
+  std::optional<GivenMesh<dim>> given;  ///< a mesh in code
   std::string mesh_where;
-  double merge = 0;  ///< of a mesh file: nodes as close, a length, become one; 0: none
+  double merge = 0;  ///< of a mesh file or a given one: nodes as close, a length, become one; 0: none
   std::map<std::string, Body<dim>> bodies;
   std::map<std::string, Condition<dim>> boundary;
   std::map<std::string, Curve> curves;  ///< by boundary part
@@ -150,12 +161,12 @@ template <int dim> struct Scene {
 template <int dim>
 Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// Checks all that can be said of a scene without its mesh: that it has blocks or a mesh file, not both, and one block
-/// for each body; that materials are made for its plane; as many functions as each condition needs; contact pairs of
-/// two parts, each in one pair and without a condition; that settings are within the limits of Refine and Solve; that
-/// numbers are finite and of a size within those of scene/range.h. build_mesh(), fix_data() and what calls them begin
-/// with it, so that nothing goes on with a scene that is not as it should be.
-/// \throw Error (input), one line for the first fault
+/// Checks all that can be said of a scene without its mesh: that it has blocks, a mesh file or a given one, and one
+/// block for each body; that materials are made for its plane; as many functions as each condition needs; contact pairs
+/// of two parts, each in one pair and without a condition; that settings are within the limits of Refine and Solve;
+/// that numbers are finite and of a size within those of scene/range.h. build_mesh(), fix_data() and what calls them
+/// begin with it, so that nothing goes on with a scene that is not as it should be. \throw Error (input), one line for
+/// the first fault
 template <int dim> void check(const Scene<dim>& scene);
 /// The part of it that concerns the settings alone.
 void check_settings(const Refine& refine, const Solve& solve);
@@ -167,9 +178,10 @@ void check_degree(int degree);
 /// \throw Error (input: no such file; mesh: truncated, not plane, empty, degenerate cells, …)
 template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file);
 
-/// The scene's blocks as a mesh, or its mesh file read, with the sides of bonds joined. Names that the scene has data
-/// for have precedence over others of the same cells or lines; bodies that share nodes are separated along the lines of
-/// contact pairs. \throw Error (input: as check(), no such file; mesh: not usable, names that contradict each other)
+/// The scene's blocks as a mesh, its mesh file read, or its given mesh, with the sides of bonds joined. Names that the
+/// scene has data for have precedence over others of the same cells or lines; bodies that share nodes are separated
+/// along the lines of contact pairs.
+/// \throw Error (input: as check(), no such file; mesh: not usable, names that contradict each other)
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene);
 
 /// Fixes the data of `scene` on `mesh`: tractions projected (L2) on linear functions per edge, displacements

@@ -30,10 +30,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 void fail(Status status, const std::string& where, const std::string& message) {
-  std::string line = where.empty() ? message : where + ": " + message;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  throw Error(status, line);
+  const auto on_one_line = [](std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return text;
+  };
+  throw Error(status, on_one_line(where), on_one_line(message));
 }
 
 std::string nearest(const std::string& name, std::span<const std::string> known) {

@@ -19,15 +19,21 @@ template <int dim> using Elasticity = Eigen::Matrix<double, n_voigt<dim>, n_voig
 /// How a command ends; the values are the exit statuses of the program.
 enum class Status { done = 0, internal = 1, input = 2, mesh = 3, ill_posed = 4, budget = 5, not_guaranteed = 6 };
 
-/// Something that the user can mend. what() is one line: where (file, line, column if known), what is wrong, what was
-/// expected.
+/// Something that the user can mend. what() is one line: where, what is wrong, what was expected.
 class Error : public std::runtime_error {
  public:
-  Error(Status status, const std::string& line) : std::runtime_error(line), status_(status) {}
+  Error(Status status, const std::string& message) : Error(status, "", message) {}
+  Error(Status status, const std::string& where, const std::string& message)
+      : std::runtime_error(where.empty() ? message : where + ": " + message), status_(status), where_(where) {}
   Status status() const { return status_; }
+  /// "file", "file:line", "file:line:column", or "--set key=value", the override that it comes from; empty: no place.
+  const std::string& where() const { return where_; }
+  /// what() without the place.
+  std::string message() const { return what() + (where_.empty() ? 0 : where_.size() + 2); }
 
  private:
   Status status_;
+  std::string where_;
 };
 
 }  // namespace bracket::scene

@@ -20,6 +20,16 @@ struct GivenDisplacement {
   std::vector<std::string> notes;  ///< what was chosen or left out on reading, one line each
 };
 
+/// Values at nodes, as another program has them in its arrays.
+struct NodalDisplacement {
+  std::vector<Vector<2>> nodes, values;
+  std::vector<std::string> bodies = {};  ///< of each node, where bodies touch; empty: they are not told
+  /// Triangles and quadrilaterals by places in `nodes`: 3 or 4 corners and, of second order, the middles of the sides
+  /// from the one behind corner 0 on, of quadrilaterals perhaps the node in the middle. Empty: nodes are matched by
+  /// their place alone.
+  std::vector<std::vector<int>> cells = {};
+};
+
 /// Reads the nodal displacements of a file: CSV, VTK's .vtu or CalculiX's .frd (docs/other-programs.md). Its nodes are
 /// taken for those of the mesh by their place, to the digits that they are written with, and where bodies touch by the
 /// cells that have them; a .vtu or .frd of another mesh of the same bodies is interpolated.
@@ -28,8 +38,5 @@ struct GivenDisplacement {
 ///        displacement, values that are not finite or not plane, nodes that the mesh has not or of the mesh that are
 ///        missing, another domain, two displacements at one node
 GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh);
-
-/// How many nodes a file of displacements has, of whatever mesh. \throw Error (input) as read_field()
-std::size_t count_of_nodes(const std::filesystem::path& file);
 
 }  // namespace bracket::scene

@@ -22,4 +22,7 @@ struct FieldOnScene {
 ///        another polygon, or where the mesh would have more than refine.max_cells
 FieldOnScene read_field(const Scene<2>& scene, const std::filesystem::path& file);
 
+/// The same of values that are there already. \throw Error, besides, (input) where their arrays do not fit together
+FieldOnScene field_on_scene(const Scene<2>& scene, const NodalDisplacement& field);
+
 }  // namespace bracket::scene

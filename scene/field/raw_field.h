@@ -34,6 +34,15 @@ RawField read_vtu_field(const std::filesystem::path& file);
 /// CalculiX's results, ASCII; plane elements that it has made solid are taken back.
 RawField read_frd_field(const std::filesystem::path& file);
 
+/// Of a file of any of these kinds.
+RawField read_raw_field(const std::filesystem::path& file);
+
+/// \param name what it is called in messages, in place of a file
+RawField raw_field_of(const NodalDisplacement& field, const std::string& name);
+
+/// By cells, by place or interpolated, as it can be: see read_field().
+GivenDisplacement matched(const RawField& field, const Mesh<2>& mesh);
+
 /// Throws Error (input) with the place of a node.
 [[noreturn]] void refuse(const RawField& field, int node, const std::string& message);
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/field/raw_field.h"
@@ -18,6 +19,8 @@ double largest(const std::vector<Vector<2>>& vectors) {
   return result;
 }
 
+}  // namespace
+
 RawField read_raw_field(const std::filesystem::path& file) {
   const std::string ending = capitals(file.extension().string());
   if (ending == ".CSV") return read_csv_field(file);
@@ -28,7 +31,30 @@ RawField read_raw_field(const std::filesystem::path& file) {
        "is of no kind that is read; expected displacements as .csv (x, y, ux, uy), .vtu (VTK) or .frd (CalculiX)");
 }
 
-}  // namespace
+RawField raw_field_of(const NodalDisplacement& given, const std::string& name) {
+  const int count = static_cast<int>(given.nodes.size());
+  const auto refuse_size = [&](const char* what, std::size_t size) {
+    fail(Status::input, name, fmt::format("has {} {} for {} nodes", size, what, count));
+  };
+  if (given.values.size() != given.nodes.size()) refuse_size("values", given.values.size());
+  if (!given.bodies.empty() && given.bodies.size() != given.nodes.size())
+    refuse_size("names of bodies", given.bodies.size());
+  RawField field{.file = name, .word = "node", .values = given.values, .bodies = given.bodies};
+  for (int i = 0; i < count; ++i) field.nodes.push_back({i, {given.nodes[i][0], given.nodes[i][1], 0}});
+  for (const std::vector<int>& nodes : given.cells) {
+    constexpr std::array<std::size_t, 5> known = {3, 4, 6, 8, 9};
+    if (std::ranges::find(known, nodes.size()) == known.end())
+      fail(Status::input, name, fmt::format("has a cell of {} nodes; expected 3, 4, 6, 8 or 9", nodes.size()));
+    for (const int node : nodes)
+      if (node < 0 || node >= count)
+        fail(Status::input, name, fmt::format("has a cell with the node {}; expected 0 to {}", node, count - 1));
+    field.cells.push_back({nodes.size() % 3 == 0 && nodes.size() < 9 ? 3 : 4, nodes});
+  }
+  field.coordinate_rounding = rounding_of(field.nodes);
+  field.value_rounding = std::numeric_limits<double>::epsilon() / 2;
+  check_values(field, {});
+  return field;
+}
 
 void refuse(const RawField& field, int node, const std::string& message) {
   const RawMesh::Node& at = field.nodes[node];
@@ -73,8 +99,7 @@ void check_values(const RawField& field, const std::vector<double>& out_of_plane
   }
 }
 
-GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh) {
-  const RawField field = read_raw_field(file);
+GivenDisplacement matched(const RawField& field, const Mesh<2>& mesh) {
   const auto result = [&]() -> GivenDisplacement {
     if (field.cells.empty()) return matched_by_place(field, mesh);
     if (auto matched = matched_by_cells(field, mesh)) return *matched;
@@ -85,6 +110,8 @@ GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& m
   return given;
 }
 
-std::size_t count_of_nodes(const std::filesystem::path& file) { return read_raw_field(file).nodes.size(); }
+GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh) {
+  return matched(read_raw_field(file), mesh);
+}
 
 }  // namespace bracket::scene

@@ -89,13 +89,10 @@ Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& whe
   return with_topology(std::move(mesh), outer(part_edges), where);
 }
 
-}  // namespace
-
-template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
-  static_assert(dim == 2);
-  check(scene);
-  if (scene.mesh_file.empty())
-    return bonded(build_blocks(scene.blocks, scene.mesh_where), scene.bonds, scene.mesh_where);
+/// As build_mesh(), before sides are joined.
+Mesh<2> with_bonds_open(const Scene<2>& scene) {
+  if (scene.given) return mesh_of(raw_mesh_of(*scene.given), scene, scene.mesh_where);
+  if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
   RawMesh raw;
   try {
     raw = read_raw_mesh(scene.mesh_file);
@@ -104,8 +101,16 @@ template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
     if (error.status() == Status::input) fail(Status::input, scene.mesh_where, error.what());
     throw;
   }
-  const std::string file = scene.mesh_file.string();
-  return bonded(mesh_of(raw, scene, file), scene.bonds, file);
+  return mesh_of(raw, scene, scene.mesh_file.string());
+}
+
+}  // namespace
+
+template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
+  static_assert(dim == 2);
+  check(scene);
+  return bonded(with_bonds_open(scene), scene.bonds,
+                scene.mesh_file.empty() ? scene.mesh_where : scene.mesh_file.string());
 }
 
 template Mesh<2> build_mesh(const Scene<2>&);

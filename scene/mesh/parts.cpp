@@ -14,23 +14,26 @@ namespace bracket::scene {
 
 namespace {
 
-/// What the scene has data for, with the places where it says so.
-using Uses = std::map<std::string, std::string>;
+/// Where the scene has data for something, and what it is called, for scenes without places.
+struct Use {
+  std::string where, called;
+};
+using Uses = std::map<std::string, Use>;
+
+const std::string& place(const Use& use) { return use.where.empty() ? use.called : use.where; }
 
 Uses used_parts(const Scene<2>& scene) {
   Uses uses;
   for (const auto& [part, condition] : scene.boundary)
-    uses[part] = condition.where.empty() ? fmt::format("boundary.\"{}\"", part) : condition.where;
-  for (const auto& [part, curve] : scene.curves)
-    uses[part] = curve.where.empty() ? fmt::format("curves.\"{}\"", part) : curve.where;
+    uses[part] = {condition.where, fmt::format("boundary.\"{}\"", part)};
+  for (const auto& [part, curve] : scene.curves) uses[part] = {curve.where, fmt::format("curves.\"{}\"", part)};
   for (const ContactPair<2>& pair : scene.contact)
     for (const Side* side : {&pair.first, &pair.second})
       for (const std::string& part : side->parts)
-        if (part != "rigid") uses[part] = pair.where.empty() ? "contact of '" + part + "'" : pair.where;
+        if (part != "rigid") uses[part] = {pair.where, "contact of '" + part + "'"};
   for (const Bond& bond : scene.bonds)
     for (const Side* side : {&bond.first, &bond.second})
-      for (const std::string& part : side->parts)
-        uses[part] = bond.where.empty() ? "bond of '" + part + "'" : bond.where;
+      for (const std::string& part : side->parts) uses[part] = {bond.where, "bond of '" + part + "'"};
   return uses;
 }
 
@@ -46,7 +49,7 @@ int name_of(const std::vector<int>& sets, const std::vector<RawMesh::Set>& all, 
       const std::string& other = all[chosen].name;
       fail(Status::mesh, where,
            fmt::format("{} is in both '{}' and '{}', and the scene has data for both ({}; {})", what(), other,
-                       all[set].name, uses.at(other), use->second));
+                       all[set].name, place(uses.at(other)), place(use->second)));
     }
     chosen = set;
   }
@@ -70,12 +73,14 @@ std::vector<std::string> shared_names(const std::map<std::vector<int>, int>& sha
 void check_known(const Uses& uses, const std::vector<RawMesh::Set>& sets, const Scene<2>& scene, const char* word) {
   std::vector<std::string> known;
   for (const RawMesh::Set& set : sets) known.push_back(set.name);
-  for (const auto& [name, where] : uses) {
+  for (const auto& [name, use] : uses) {
     if (std::ranges::find(known, name) != known.end()) continue;
     if (std::ranges::any_of(scene.contact,
                             [&used = name](const ContactPair<2>& pair) { return contains(pair.second, used); }))
       known.push_back("rigid");
-    fail(Status::input, where, fmt::format("the mesh has no {} '{}': {}", word, name, suggestion(name, known)));
+    fail(Status::input, use.where,
+         fmt::format("{}the mesh has no {} '{}': {}", use.where.empty() ? use.called + ": " : "", word, name,
+                     suggestion(name, known)));
   }
 }
 
@@ -175,7 +180,7 @@ Mesh<2> with_bodies(Mesh<2> mesh, const RawMesh& raw, const std::vector<int>& or
     return mesh;
   }
   Uses uses;
-  for (const auto& [name, body] : scene.bodies) uses[name] = body.where.empty() ? "bodies." + name : body.where;
+  for (const auto& [name, body] : scene.bodies) uses[name] = {body.where, "bodies." + name};
   check_known(uses, raw.bodies, scene, "body");
   std::vector<std::vector<int>> sets(raw.cells.size());
   for (std::size_t set = 0; set < raw.bodies.size(); ++set)
@@ -245,14 +250,14 @@ PartSides part_sides(const Mesh<2>& mesh, const RawMesh& raw, const std::vector<
       number[set] = static_cast<int>(result.names.size());
       result.names.push_back(name);
     } else if (const auto use = uses.find(name); use != uses.end()) {
-      fail(
-          Status::mesh, where,
-          inside[set] > 0
-              ? fmt::format("the lines of '{0}' lie inside of a body or between two that share their nodes, and the "
-                            "scene has data for it ({1}); to separate bodies along it, write a contact with first = "
-                            "\"{0}\" and second = \"{0}\"",
-                            name, use->second)
-              : fmt::format("'{}' has no line on the boundary, and the scene has data for it ({})", name, use->second));
+      fail(Status::mesh, where,
+           inside[set] > 0
+               ? fmt::format("the lines of '{0}' lie inside of a body or between two that share their nodes, and the "
+                             "scene has data for it ({1}); to separate bodies along it, write a contact with first = "
+                             "\"{0}\" and second = \"{0}\"",
+                             name, place(use->second))
+               : fmt::format("'{}' has no line on the boundary, and the scene has data for it ({})", name,
+                             place(use->second)));
     }
     if (inside[set] > 0 && set < raw.parts.size())
       result.notes.push_back(

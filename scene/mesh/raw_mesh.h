@@ -39,6 +39,10 @@ struct RawMesh {
   double coordinate_rounding = std::numeric_limits<double>::epsilon() / 2;  ///< see Mesh
 };
 
+/// A mesh made in code; tags are places.
+/// \throw Error (mesh): places that are not there; (input): coordinates that are not finite or of a size out of range
+RawMesh raw_mesh_of(const GivenMesh<2>& given);
+
 /// What the digits of coordinates leave open, by their size: they have as many as the longest of them has.
 double rounding_of(const std::vector<RawMesh::Node>& nodes);
 

@@ -1,6 +1,6 @@
 # cmake -DBUILD=… -DSOURCE=… -DCONFIG=… -DCXX=… -P build.cmake: installs the package into the build folder, builds and
-# runs the consumer against it, once by find_package() and, where there is a pkg-config, once by that, and makes sure
-# that it saw no header of deal.II or of the JSON library.
+# runs the consumer against it, once by find_package() and, where there is a pkg-config, once by that, makes sure that it
+# saw no header of deal.II or of the JSON library, and runs a scene by the Python module, where there is one.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -46,5 +46,16 @@ if(PKG_CONFIG)
   separate_arguments(flags UNIX_COMMAND "${flags}")
   run(${CXX} -std=c++20 ${SOURCE}/main.cpp -o ${BUILD}/consumer/by_pkg_config ${flags} -Wl,-rpath,${libraries})
   run_consumer(${BUILD}/consumer/by_pkg_config)
+endif()
+
+file(GLOB_RECURSE module ${prefix}/_bracket.*)
+if(module)
+  cmake_path(GET module PARENT_PATH package)
+  cmake_path(GET package PARENT_PATH folder)
+  set(ENV{PYTHONPATH} ${folder})
+  file(GLOB_RECURSE scene ${prefix}/share/bracket/scenes/patch.toml)
+  run(${PYTHON} -c "import bracket
+assert bracket.__file__.startswith('${prefix}')
+assert bracket.run(bracket.read_scene('${scene}')).guarantee == 'rounding-safe'")
 endif()
 run(${CMAKE_COMMAND} -E echo "[  PASSED  ] 1 test.")  # tests/run.sh counts it among GoogleTest's
