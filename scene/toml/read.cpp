@@ -163,6 +163,12 @@ Refine read_refine(const toml::table& entry) {
   return refine;
 }
 
+/// Whether there is an error or a width to reach, which asks for refinement.
+bool has_target(const Scene<2>& scene) {
+  return scene.refine.target > 0 || std::any_of(scene.quantities.begin(), scene.quantities.end(),
+                                                [](const auto& one) { return one.target > 0 || one.absolute > 0; });
+}
+
 Solve read_solve(const toml::table& entry) {
   check_keys(entry, "[solve]", {"degree", "dual"});
   Solve solve;
@@ -179,6 +185,9 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   check_keys(root, "",
              {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "quantity",
               "refine", "solve"});
+  if (!root.contains("schema"))
+    fail(Status::input, file.string(),
+         "'schema' is missing; write schema = 1 above all else: it says which format the file has");
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
@@ -211,6 +220,7 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
     for (const toml::node& one : tables(*quantities, "quantity"))
       scene.quantities.push_back(read_quantity(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
+  if (!root["refine"]["strategy"] && has_target(scene)) scene.refine.strategy = Strategy::adaptive;
   if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"));
   if (const auto fault = fault_of(scene)) refuse(deepest(root, fault->key), fault->message);
   return scene;
