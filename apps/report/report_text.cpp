@@ -71,9 +71,7 @@ std::string iterations_text(const Report& report) {
                         of->iterations == 1 ? "one step" : fmt::format("{} steps", of->iterations));
   // Uzawa's iteration is another one, which takes thousands.
   if (most > many && report.scene.solve.dual == scene::Dual::hybrid)
-    text += fmt::format(
-        "It took {} steps to find which rows are closed, where a few are usual: the contact is nearly undetermined.\n",
-        most);
+    text += fmt::format("To find which rows are closed took {} steps on one level, which is many.\n", most);
   return text;
 }
 

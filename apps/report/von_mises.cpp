@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace bracket::apps {
 namespace {
@@ -25,15 +26,15 @@ double von_mises(const Voigt<2>& s, double z) {
 }
 
 /// A point of one of a cell's parts: its barycentric coordinates in the cell, and how the coefficients count there.
-struct Point {
+struct SamplePoint {
   std::array<double, 3> in_cell;
   std::vector<double> of_cell, of_part;
 };
 
 /// Corners of the parts, where linear stresses are largest; of higher degrees points between them, too.
-std::array<std::vector<Point>, 3> points_of(int cell_degree, int part_degree) {
+std::array<std::vector<SamplePoint>, 3> sample_points(int cell_degree, int part_degree) {
   const int lattice = part_degree == 1 ? 1 : 2 * part_degree;
-  std::array<std::vector<Point>, 3> result;
+  std::array<std::vector<SamplePoint>, 3> result;
   for (int part = 0; part < 3; ++part)
     for (const auto& index : scene::bernstein_indices(lattice)) {
       std::array<double, 3> in_part, in_cell;
@@ -46,7 +47,7 @@ std::array<std::vector<Point>, 3> points_of(int cell_degree, int part_degree) {
   return result;
 }
 
-template <class Values> Voigt<2> sum(const std::vector<double>& factors, const Values& values) {
+template <class Values> Voigt<2> weighted(const std::vector<double>& factors, const Values& values) {
   Voigt<2> result = Voigt<2>::Zero();
   for (std::size_t i = 0; i < factors.size(); ++i) result += factors[i] * values[i];
   return result;
@@ -57,7 +58,7 @@ template <class Values> Voigt<2> sum(const std::vector<double>& factors, const V
 LargestVonMises largest_von_mises(const Report& report) {
   const auto& [problem, displacement, stress] =
       std::tie(report.outcome.problem, report.outcome.displacement, report.outcome.stress);
-  const auto points = points_of(scene::stress_degree(displacement.degree), stress.degree);
+  const auto points = sample_points(scene::stress_degree(displacement.degree), stress.degree);
   LargestVonMises largest;
   for (int cell = 0; cell < static_cast<int>(problem.mesh.cells.size()); ++cell) {
     const auto ratio = across(scene::body_of(problem, cell).material, report.scene.plane);
@@ -68,8 +69,8 @@ LargestVonMises largest_von_mises(const Report& report) {
     const auto sigma = bounds::displacement_stress(problem, displacement, cell);
     for (int part = 0; part < 3; ++part) {
       const auto lambda = scene::stress_of_part(stress, cell, part);
-      for (const Point& point : points[part]) {
-        const Voigt<2> mean = (sum(point.of_cell, sigma) + sum(point.of_part, lambda)) / 2;
+      for (const SamplePoint& point : points[part]) {
+        const Voigt<2> mean = (weighted(point.of_cell, sigma) + weighted(point.of_part, lambda)) / 2;
         const double own = von_mises(mean, *ratio * (mean[0] + mean[1]));
         if (own <= largest.value) continue;
         largest.value = own;

@@ -37,21 +37,20 @@ std::string power(const Series& series) {
 }  // namespace
 
 std::string study_text(const std::vector<Series>& all) {
-  constexpr const char* format = "{:>8}{:>10}{:>10}{:>11}  {:<31}{:>8}\n";
-  std::string text =
-      fmt::format(format, "cells", "displ.", "stresses", "error", "energy of the level, in between", "seconds");
+  constexpr const char* format = "{:>8}{:>11}  {}{:>8}\n";
+  constexpr std::size_t columns = 45;
+  std::string text = fmt::format(format, "cells", "error", padded("energy of the level between", columns), "seconds");
   for (const Series& series : all) {
     text += label(series) + "\n";
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       const bounds::Level& level = series.levels[i];
-      text += fmt::format(format, level.cells, level.primal.unknowns, level.dual.unknowns,
-                          percent(level.bracket.relative_error_bound),
-                          padded(interval_text(level.bracket.lower, level.bracket.upper, ""), 31),
+      text += fmt::format(format, level.cells, percent(level.bracket.relative_error_bound),
+                          padded(interval_text(level.bracket.lower, level.bracket.upper, ""), columns),
                           fmt::format("{:.2f}", series.around[i].elapsed));
     }
   }
   text +=
-      "(unknowns of both formulations; seconds since the series began)\n\n"
+      "(seconds since the series began; study.csv has unknowns and where the time went)\n\n"
       "Guaranteed relative error, observed over the last half of the levels\n";
   for (const Series& series : all)
     text += fmt::format("  {:<20} {}   ({})\n", label(series), power(series), series.end);

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "apps/report/report.h"
 #include "tests/apps/command.h"
 
 namespace bracket::apps::tests {
@@ -19,7 +20,7 @@ class Answer : public Command {
  protected:
   Answer() { write("scene.toml", two_blocks); }
 
-  Json report() const { return Json::parse(read("scene.out/report.json")); }
+  Json report_json() const { return Json::parse(read("scene.out/report.json")); }
 };
 
 /// The fields of the lines of a CSV file, without their quotes.
@@ -56,7 +57,7 @@ TEST_F(Answer, HasARowOfEachLevelBeforeIt) {
   const Ended ended =
       shell("bracket run scene.toml --no-report --set refine.strategy=uniform --set refine.max_levels=3");
   ASSERT_EQ(ended.status, 0) << ended.err;
-  const Json levels = report()["levels"];
+  const Json levels = report_json()["levels"];
   const std::regex row("\n +(\\d+) +(\\d+) +([^%]*) %  (\\S+) … (\\S+) +(\\S+)(?=\n)");
   std::sregex_iterator found(ended.out.begin(), ended.out.end(), row);
   double lower = -INFINITY, upper = INFINITY;
@@ -87,7 +88,7 @@ TEST_F(Answer, TextTableAndJsonHaveTheSameRows) {
       "direction = [0, 2]}]' --set refine.strategy=uniform --set refine.max_levels=3");
   ASSERT_EQ(ended.status, 0) << ended.err;
   const auto rows = table(read("scene.out/contact.csv"));
-  const Json json = report();
+  const Json json = report_json();
   const std::string html = read("scene.out/report.html"), text = unbroken(ended.out);
   ASSERT_GT(rows.size(), 10u);
   std::vector<std::string> guaranteed;
@@ -159,6 +160,17 @@ TEST_F(Answer, LastLevelAloneHasItsFieldsWritten) {
   const std::string collection = read("scene.out/solution.pvd");
   EXPECT_NE(collection.find("solution_2.vtu"), std::string::npos);
   EXPECT_EQ(collection.find("solution_1.vtu"), std::string::npos);
+}
+
+TEST_F(Answer, ManyStepsOfTheActiveSetAreTold) {
+  const scene::Scene<2> scene = scene::read_scene<2>(directory / "scene.toml");
+  bounds::Outcome<2> outcome = bounds::run(scene);
+  const auto told = [&] { return report_text(apps::report(scene, outcome)); };
+  EXPECT_EQ(told().find("which is many"), std::string::npos);
+  outcome.levels.back().dual.iterations = 31;
+  EXPECT_NE(told().find("took 31 steps on one level, which is many"), std::string::npos) << told();
+  outcome.levels.back().primal.iterations = 1;
+  EXPECT_NE(told().find("found in one step\n"), std::string::npos) << told();
 }
 
 TEST_F(Answer, NothingIsSaidOfAnOpenPartThatMightCarryAll) {
