@@ -182,6 +182,7 @@ Ending run(const RunOptions& options) {
   const Descriptor in_use = prepare_folder(results.folder);
 
   const bounds::Outcome<2> outcome = solve(results);
+  const bool has_rows = !results.around.empty();
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
     write_level_if_it_fits(results, outcome);  // of a level that failed its checks
@@ -199,7 +200,7 @@ Ending run(const RunOptions& options) {
   if (options.json) {
     std::cout << report_json(report);
   } else {
-    if (!options.quiet) std::cout << "\n";
+    if (!options.quiet) std::cout << (has_rows ? "" : scene_text(scene)) << "\n";
     std::cout << emphasised(headline(report));
     if (!options.quiet) std::cout << report_text(report) << where(results.folder);
   }
