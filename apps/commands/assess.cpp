@@ -11,6 +11,7 @@
 #include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
 #include "apps/report/assessment.h"
+#include "apps/report/lines.h"
 
 namespace bracket::apps {
 
@@ -40,8 +41,8 @@ Ending assess(const AssessOptions& options) {
     std::cout << assessment_headline(report);
     if (!options.quiet)
       std::cout << assessment_text(report)
-                << fmt::format("Where it is wrong: {}, for ParaView: {}\n", (folder / "error.svg").string(),
-                               (folder / "assess.vtu").string());
+                << within_columns(fmt::format("Where it is wrong: {}, for ParaView: {}\n",
+                                              (folder / "error.svg").string(), (folder / "assess.vtu").string()));
   }
   return {assessment.status, assessment.reason};
 }

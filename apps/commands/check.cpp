@@ -7,6 +7,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/say.h"
 #include "apps/report/json.h"
+#include "apps/report/lines.h"
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
 
@@ -59,9 +60,10 @@ std::vector<Part> parts_of(const scene::Mesh<2>& mesh) {
 
 std::string mesh_text(const scene::Mesh<2>& mesh) {
   const scene::Quality quality = scene::quality(mesh);
-  return fmt::format("mesh: {} cells, {} vertices, {} edges; angles {:.1f} to {:.1f} degrees, areas {:.3g} to {:.3g}\n",
-                     mesh.cells.size(), mesh.vertices.size(), mesh.edges.size(), quality.smallest_angle,
-                     quality.largest_angle, quality.smallest_area, quality.largest_area);
+  return fmt::format(
+      "mesh: {} cells, {} vertices, {} edges\n  angles {:.1f} to {:.1f} degrees, areas {:.3g} to {:.3g}\n",
+      mesh.cells.size(), mesh.vertices.size(), mesh.edges.size(), quality.smallest_angle, quality.largest_angle,
+      quality.smallest_area, quality.largest_area);
 }
 
 Json mesh_json(const scene::Mesh<2>& mesh) {
@@ -193,13 +195,14 @@ void check(const std::filesystem::path& file, const std::vector<std::string>& ov
     return;
   }
   print_notes(problem.mesh);
-  std::cout << problem_text(scene, problem) << std::flush;
+  std::cout << within_columns(problem_text(scene, problem)) << std::flush;
   const scene::Problem<2> balanced = bounds::balanced(problem, scene.solve.degree);
-  std::cout << fmt::format("solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n",
-                           balanced.imbalance);
+  std::cout << within_columns(fmt::format(
+      "solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n", balanced.imbalance));
   for (const auto& one : bounds::asked(scene, balanced))
-    std::cout << fmt::format("quantity: {}{}\n", one.quantity.name,
-                             one.undetermined.motion.empty() ? "" : "; one end only: " + one.undetermined.motion);
+    std::cout << within_columns(
+        fmt::format("quantity: {}{}\n", one.quantity.name,
+                    one.undetermined.motion.empty() ? "" : "; one end only: " + one.undetermined.motion));
 }
 
 void info(const std::filesystem::path& file, bool as_json) {
@@ -216,7 +219,7 @@ void info(const std::filesystem::path& file, bool as_json) {
     return;
   }
   print_notes(mesh);
-  std::cout << mesh_text(mesh);
+  std::cout << within_columns(mesh_text(mesh));
   for (const Body& body : bodies_of(mesh)) std::cout << text(body) << "\n";
   std::cout << "boundary:\n";
   for (const Part& part : parts_of(mesh)) std::cout << text(part) << "\n";

@@ -22,23 +22,25 @@ struct RunOptions {
   std::filesystem::path folder;        ///< for the results; empty: the scene's stem + ".out" in the current directory
   std::vector<std::string> overrides;  ///< "key=value"
   bool json = false;                   ///< print the report as JSON alone
-  bool quiet = false;                  ///< print the interval alone
+  bool quiet = false;                  ///< print the answer alone
   bool all_levels = false;             ///< quantities on all levels
+  bool last_level = false;             ///< write the fields of the last level only
   bool pictures = true;                ///< draw pictures and write report.html
   bool png = false;                    ///< pictures as PNG too
 };
 
-/// Solves a scene and prints the report. The folder holds the results of each level as soon as it is done. Ctrl-C ends
-/// the run after the level that it is in.
-/// \return as bounds::run ended
-/// \throw scene::Error; input also where the folder is refused or cannot take the first level, not_guaranteed where one
+/// Solves a scene, prints a line of each level as it is done, then the answer and the report. The folder holds the
+/// results of each level as soon as it is done. Ctrl-C ends the run after the level that it is in. \return as
+/// bounds::run ended \throw scene::Error; input also where the folder is refused or cannot take the first level,
+/// not_guaranteed where one
 ///        of the formulations found no fields or the memory did not suffice for them
 Ending run(const RunOptions& options);
 
 /// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares
 /// what accuracy costs: a table, study.csv, study.json and study.svg. Ctrl-C ends it after the level that it is in.
+/// A target ends none of them.
 /// \param folder for the results; empty: the scene's stem + ".study" in the current directory
-/// \return done; budget if it was stopped; not_guaranteed if one of the runs was
+/// \return done; budget if it was stopped, or there is a target that none of them reached; not_guaranteed if one was
 /// \throw scene::Error as run()
 Ending study(const std::filesystem::path& scene, const std::vector<std::string>& overrides,
              const std::filesystem::path& folder);
@@ -93,6 +95,14 @@ struct AssessOptions {
 /// \return as bounds::assess() ended
 /// \throw scene::Error as scene::read_field() and bounds::assess()
 Ending assess(const AssessOptions& options);
+
+/// Writes scene.toml, a commented scene to start from. What is there stays.
+/// \param folder is made where it is not there; empty: the current directory
+/// \throw scene::Error (input) if the file is there or cannot be written
+void init(const std::filesystem::path& folder);
+
+/// The keys of a scene file, as docs/scene-file.md has them, for a terminal.
+std::string scene_keys_text();
 
 /// Prints bodies, boundary parts and quality of a mesh file.
 /// \throw scene::Error (input, mesh)

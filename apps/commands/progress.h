@@ -14,14 +14,17 @@ namespace bracket::apps {
 class Progress {
  public:
   explicit Progress(bool wanted = true) : wanted_(wanted && isatty(STDERR_FILENO)) {}
-  ~Progress() {
-    if (wanted_) say(clear_line);
-  }
+  ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void show(const std::string& stage) const {
     if (wanted_) say(fmt::format("{}{} …", clear_line, stage));
+  }
+
+  /// Makes room for something else, which ends with its line; the next stage is shown below that.
+  void clear() const {
+    if (wanted_) say(clear_line);
   }
 
  private:

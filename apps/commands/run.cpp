@@ -12,6 +12,7 @@
 #include "apps/commands/say.h"
 #include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
+#include "apps/report/lines.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
 
@@ -21,6 +22,7 @@ namespace {
 /// Keeps the folder of results up to date while a run is going on: it tells of `around.size()` levels.
 struct Results {
   const scene::Scene<2>& scene;
+  const RunOptions& options;
   std::filesystem::path folder;
   Clock clock;      // of the command
   double read = 0;  // seconds
@@ -36,8 +38,9 @@ Report report_of(const Results& results, const bounds::Outcome<2>& outcome) {
   return report;
 }
 
-// The fields of the last level, and the collection of all.
-void write_fields(const std::filesystem::path& folder, const Report& report) {
+// The fields of the last level, and the collection of all that are written.
+void write_fields(const Results& results, const Report& report) {
+  const std::filesystem::path& folder = results.folder;
   const bounds::Outcome<2>& outcome = report.outcome;
   const int level = static_cast<int>(outcome.levels.size()) - 1;
   const bool contact = !outcome.problem.contact.empty();
@@ -46,7 +49,7 @@ void write_fields(const std::filesystem::path& folder, const Report& report) {
   if (contact)
     write_file(folder, fmt::format("contact_{}.vtu", level),
                contact_vtu(outcome.problem, report.contact, outcome.indicator));
-  write_file(folder, "solution.pvd", collection_pvd(level + 1, contact));
+  write_file(folder, "solution.pvd", collection_pvd(results.options.last_level ? level : 0, level + 1, contact));
 }
 
 void write_level(Results& results, const bounds::Outcome<2>& outcome) {
@@ -54,8 +57,9 @@ void write_level(Results& results, const bounds::Outcome<2>& outcome) {
   const Clock clock;
   Report so_far = report_of(results, outcome);
   so_far.running = true;
-  write_fields(results.folder, so_far);
+  if (!results.options.last_level) write_fields(results, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
+  write_file(results.folder, "contact.csv", findings_csv(so_far));
   if (!outcome.quantities.empty()) write_file(results.folder, "quantities.csv", quantities_csv(so_far));
   so_far.around.back().write = results.around.back().write = clock.seconds();
   write_file(results.folder, "report.json", report_json(so_far));
@@ -71,11 +75,17 @@ void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome)
   }
 }
 
-bounds::Outcome<2> solve(Results& results, bool show_progress) {
-  Watch watch(show_progress);
+/// Prints a line of each level as it is done.
+bounds::Outcome<2> solve(Results& results) {
+  const RunOptions& options = results.options;
+  Watch watch(!options.quiet);
   return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& so_far) {
     watch.show("writing");
     write_level_if_it_fits(results, so_far);
+    watch.clear();
+    if (options.quiet || options.json) return;
+    if (so_far.levels.size() == 1) std::cout << scene_text(results.scene) << "\n" << level_names(results.scene);
+    std::cout << level_line(report_of(results, so_far)) << std::flush;
   }));
 }
 
@@ -98,6 +108,7 @@ void write_pictures(const Results& results, Report& report, bool png) {
 std::vector<std::string> write_end(const Results& results, const Report& report) {
   std::vector<std::string> missing;
   std::vector<std::pair<const char*, std::string>> files = {{"history.csv", history_csv(report)},
+                                                            {"contact.csv", findings_csv(report)},
                                                             {"report.json", report_json(report)}};
   if (!report.outcome.quantities.empty()) files.emplace_back("quantities.csv", quantities_csv(report));
   for (const auto& [name, content] : files) {
@@ -116,6 +127,15 @@ void write_first_end(const Results& results, const Report& report) {
   std::error_code error;
   for (const char* name : {"report.json", "history.csv"}) std::filesystem::remove(results.folder / name, error);
   write_end(results, report);
+}
+
+/// The fields of a run that has written none; where they cannot be, the report tells why.
+void try_last_fields(const Results& results, Report& report) {
+  try {
+    write_fields(results, report);
+  } catch (const scene::Error& error) {
+    report.missing.emplace_back(error.what());
+  }
 }
 
 /// Pictures and report.html; where they cannot be, the report tells why.
@@ -142,8 +162,9 @@ std::string emphasised(std::string line) {
 
 std::string where(const std::filesystem::path& folder) {
   const bool with_pictures = std::filesystem::exists(folder / "report.html");
-  return fmt::format("Report: {}{}, for ParaView: {}\n", with_pictures ? (folder / "report.html").string() + ", " : "",
-                     (folder / "report.json").string(), (folder / "solution.pvd").string());
+  return within_columns(fmt::format("Report: {}{}, for ParaView: {}\n",
+                                    with_pictures ? (folder / "report.html").string() + ", " : "",
+                                    (folder / "report.json").string(), (folder / "solution.pvd").string()));
 }
 
 }  // namespace
@@ -153,18 +174,21 @@ Ending run(const RunOptions& options) {
   scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
   scene.refine.all_levels = options.all_levels;
   Results results{.scene = scene,
+                  .options = options,
                   .folder = results_folder(options.folder, options.scene, ".out"),
                   .clock = clock,
                   .read = clock.seconds()};
   // Before the work, so that a folder that cannot be used is known at once.
   const Descriptor in_use = prepare_folder(results.folder);
 
-  const bounds::Outcome<2> outcome = solve(results, !options.quiet);
+  const bounds::Outcome<2> outcome = solve(results);
+  const bool has_rows = !results.around.empty();
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size())
     write_level_if_it_fits(results, outcome);  // of a level that failed its checks
   Report report = report_of(results, outcome);
   write_first_end(results, report);  // before the pictures, which may fill the disk
+  if (options.last_level) try_last_fields(results, report);
   if (options.pictures) try_pictures(results, report, options.png);
   const std::vector<std::string> unwritten = write_end(results, report);
 
@@ -176,6 +200,7 @@ Ending run(const RunOptions& options) {
   if (options.json) {
     std::cout << report_json(report);
   } else {
+    if (!options.quiet) std::cout << (has_rows ? "" : scene_text(scene)) << "\n";
     std::cout << emphasised(headline(report));
     if (!options.quiet) std::cout << report_text(report) << where(results.folder);
   }

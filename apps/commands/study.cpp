@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include "apps/commands/commands.h"
 #include "apps/commands/folder.h"
@@ -18,12 +20,19 @@ void write_tables(const std::filesystem::path& folder, const scene::Scene<2>& sc
   write_file(folder, "study.json", study_json(scene, all));
 }
 
+bool any_reaches(double target, const std::vector<Series>& all) {
+  return std::ranges::any_of(all, [&](const Series& series) {
+    return std::ranges::any_of(
+        series.levels, [&](const bounds::Level& level) { return level.bracket.relative_error_bound <= target; });
+  });
+}
+
 }  // namespace
 
 Ending study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
              const std::filesystem::path& given_folder) {
   scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
-  scene.refine.target = 0;
+  const double target = std::exchange(scene.refine.target, 0);
   const std::filesystem::path folder = results_folder(given_folder, file, ".study");
   const Descriptor in_use = prepare_folder(folder);
 
@@ -59,6 +68,8 @@ Ending study(const std::filesystem::path& file, const std::vector<std::string>& 
   std::cout << study_text(all);
   if (has_picture(all)) write_picture(folder, study_picture(all));
   std::cout << fmt::format("Tables and plot: {}\n", folder.string());
+  if (ending.status == scene::Status::done && target > 0 && !any_reaches(target, all))
+    return {scene::Status::budget, fmt::format("no way of refining reaches the target {:g} within the budget", target)};
   return ending;
 }
 

@@ -18,6 +18,7 @@ class Watch {
   explicit Watch(bool wanted = true) : progress_(wanted) {}
 
   void show(const std::string& stage) const { progress_.show(stage); }
+  void clear() const { progress_.clear(); }  ///< before something else is printed
   bool interrupted() const { return interrupt_.requested(); }
 
   /// An observer that shows the stages of a run, each behind `label`, and ends the run after the level in which Ctrl-C

@@ -10,7 +10,8 @@
 
 namespace bracket::apps {
 
-/// Those of a run that have something to show: closing and error with two levels or more, contact with a contact.
+/// Those of a run that have something to show: closing and error with two levels or more, contact with a contact,
+/// mesh unless error_is_rounding().
 /// \pre a guarantee, the run has ended
 std::vector<Picture> pictures(const Report& report);
 
@@ -30,7 +31,7 @@ struct Sample {
   double error;
 };
 /// The observed order: the slope of log error by log cells, least squares over the last half of the samples (at least
-/// two). NaN where they do not say.
+/// two). NaN where they do not say, as of fewer than three.
 double observed_order(const std::vector<Sample>& samples);
 
 /// Colours that every picture uses: dark blue for stresses and lower bounds, orange for displacements and upper bounds.

@@ -36,6 +36,7 @@ std::string error_panel(const char* label, const std::vector<double>& x, const s
 }  // namespace
 
 double observed_order(const std::vector<Sample>& samples) {
+  if (samples.size() < 3) return NAN;  // through two points goes any line
   const std::size_t first =
       samples.size() - std::min(samples.size(), std::max<std::size_t>(2, (samples.size() + 1) / 2));
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
@@ -188,7 +189,7 @@ std::vector<Picture> pictures(const Report& report) {
     return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
   };
   if (std::ranges::count_if(levels, known) > 1) result.push_back(error_picture(report));
-  result.push_back(mesh_picture(report));
+  if (!error_is_rounding(report.outcome)) result.push_back(mesh_picture(report));
   result.push_back(stress_picture(report));
   if (!report.outcome.problem.contact.empty()) result.push_back(contact_picture(report));
   return result;

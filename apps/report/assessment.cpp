@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/report/findings.h"
 #include "apps/report/json.h"
+#include "apps/report/lines.h"
 #include "apps/report/numbers.h"
 #include "apps/report/quantities.h"
 
@@ -25,13 +27,10 @@ ErrorInterval in_percent(const ErrorInterval& ratio) {
   return {percent(ratio.lower, 0), percent(ratio.upper, infinity)};
 }
 
-/// "at least a and at most b" with a unit behind each number.
+/// The error between its bounds; where the lower one is zero it says nothing.
 std::string between(const ErrorInterval& interval, const std::string& unit) {
-  if (!std::isfinite(interval.upper))
-    return fmt::format("at least {}{}", enclosed_in_decimals(interval.lower, interval.lower).lower, unit);
-  const auto [lower, upper] = enclosed_in_decimals(interval.lower, interval.upper);
-  if (interval.lower == 0) return fmt::format("at most {}{}", upper, unit);
-  return fmt::format("at least {0}{2} and at most {1}{2}", lower, upper, unit);
+  const double lower = interval.lower == 0 ? -infinity : interval.lower;
+  return std::isfinite(lower) || std::isfinite(interval.upper) ? interval_text(lower, interval.upper, unit) : "unknown";
 }
 
 std::string triangles(const AssessmentReport& report) {
@@ -59,13 +58,13 @@ std::string inadmissible(const Assessment& of) {
   return text.empty() ? "" : "not admissible: it " + text + "; that counts as error\n";
 }
 
-/// Of the problem that the bounds hold for, where it is not quite the scene's.
+/// Of the problem that the bounds hold for, where it is not quite the scene's, a line each.
 std::string what_else(const Assessment& of) {
   std::string text;
-  if (of.guarantee == "discretisation") text += "   for data that were sampled";
+  if (of.guarantee == "discretisation") text += "! for data that were sampled\n";
   // An energy that differs by this much belongs to solutions that are √2 of it apart.
   if (std::sqrt(2 * of.data_energy) > of.error.upper - of.error.lower)
-    text += fmt::format("   for the data as the displacement's mesh has them, which is {} off",
+    text += fmt::format("! for the data as the displacement's mesh has them, which is {} off\n",
                         std::isfinite(of.data_energy) ? "an energy of about " + rounded_up_exponent(of.data_energy)
                                                       : "no bounded energy");
   return text;
@@ -78,18 +77,19 @@ std::string level_table(const Assessment& of) {
     if (!std::isfinite(interval.upper)) return "-";
     const ErrorInterval shown =
         relative ? in_percent({interval.lower / norm_upper, interval.upper / norm_lower}) : interval;
-    const auto [lower, upper] = enclosed_in_decimals(shown.lower, shown.upper);
-    return lower + " .. " + upper;
+    return interval_text(shown.lower, shown.upper, "");
   };
-  std::string text = fmt::format("{:>8}  {:>28}  {:>28}  {:>12}  {:>8}\n", "cells", "by stresses",
-                                 "by energies and contact", "mean stress", "seconds");
+  constexpr const char* format = "{:>8}  {}  {}{:>12}{:>8}\n";
+  constexpr std::size_t columns = 24;
+  std::string text = fmt::format(format, "cells", padded("by stresses", columns),
+                                 padded("by energies and contact", columns), "mean stress", "seconds");
   for (const auto& level : of.levels)
-    text += fmt::format("{:>8}  {:>28}  {:>28}  {:>12.3g}  {:>8.2f}\n", level.cells, told(level.by_stress),
-                        told(level.by_energy), level.stress_error, level.seconds);
-  return text + fmt::format(
-                    "       (errors between bounds{}; the error of Bracket's mean stress is at most the "
-                    "fourth number)\n",
-                    relative ? " in % of the last level's norm" : "");
+    text +=
+        fmt::format(format, level.cells, padded(told(level.by_stress), columns), padded(told(level.by_energy), columns),
+                    fmt::format("{:.3g}", level.stress_error), fmt::format("{:.2f}", level.seconds));
+  return text +
+         fmt::format("(errors between bounds{}; the error of Bracket's mean stress is at most the fourth number)\n",
+                     relative ? " in % of the last level's norm" : "");
 }
 
 Json interval_json(const ErrorInterval& interval) {
@@ -100,12 +100,12 @@ Json interval_json(const ErrorInterval& interval) {
 
 std::string assessment_headline(const AssessmentReport& report) {
   const Assessment& of = report.assessment;
-  if (of.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", of.reason);
+  if (of.guarantee == "none") return within_columns(fmt::format("no guaranteed bounds: {}\n", of.reason));
   const bool relative = std::isfinite(of.relative.lower);
-  std::string text =
-      "the displacement's error in the energy norm is " +
-      (relative ? between(in_percent(of.relative), " %") : between(of.error, "") + ", where nothing else is strained") +
-      what_else(of) + "\n";
+  std::string text = what_else(of) + fmt::format("{} guaranteed error of the displacement  {}   (energy norm)\n",
+                                                 mark(Standing::guaranteed),
+                                                 relative ? between(in_percent(of.relative), " %")
+                                                          : between(of.error, "") + ", where nothing else is strained");
   if (of.field.given.interpolated)
     text += fmt::format("interpolated: {} is of another mesh; what is judged has its values at the nodes of {}\n",
                         report.field, triangles(report));
@@ -114,7 +114,7 @@ std::string assessment_headline(const AssessmentReport& report) {
     text +=
         "note: above 100 %, zero would be no worse: are signs, units and moduli, plane stress or strain, supports and "
         "loads those of the scene?\n";
-  return text;
+  return within_columns(text);
 }
 
 std::string assessment_text(const AssessmentReport& report) {
@@ -125,12 +125,11 @@ std::string assessment_text(const AssessmentReport& report) {
                   report.scene.units.empty() ? "" : "; units " + report.scene.units, report.field, triangles(report));
   if (of.guarantee != "none")
     text += fmt::format(
-        "The energy norm is the root of twice the strain energy; 100 % is that of Bracket's own displacement. The "
-        "error\n"
-        "itself is {}. Guarantee: {}.\n\n{}",
+        "The energy norm is the root of twice the strain energy; 100 % is that of\nBracket's own displacement. The "
+        "error itself is {}. Guarantee: {}.\n\n{}",
         between(of.error, ""), of.guarantee, level_table(of));
   if (of.status == scene::Status::budget) text += fmt::format("Budget: {}\n", of.reason);
-  return text;
+  return within_columns(text);
 }
 
 std::string assessment_json(const AssessmentReport& report) {

@@ -49,14 +49,22 @@ PairSummary summary(const Report& report, int pair) {
       for (const double p : pressure) result.force += length * p / static_cast<double>(pressure.size());
       result.length += length;
       if (presses(report.contact[chain[i]], rounding)) result.pressed_length += length;
+      const auto place = [&](std::size_t k, std::size_t last) -> scene::Vector<2> {
+        const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[first].vertices);
+        return k == last ? b : scene::Vector<2>(a + static_cast<double>(k) / static_cast<double>(last) * (b - a));
+      };
+      const std::vector<double> gaps = samples(report.contact[chain[i]].gap_left);
+      for (std::size_t k = 0; k < gaps.size(); ++k) {
+        if (gaps[k] <= result.largest_gap) continue;
+        result.largest_gap = gaps[k];
+        result.gap_at = place(k, gaps.size() - 1);
+      }
       const std::vector<double> values = samples(pressure);
       for (std::size_t k = 0; k < values.size(); ++k) {
         if (values[k] <= std::max(result.largest_pressure, rounding)) continue;
         const bool at_end = k == 0 || k + 1 == values.size();
-        const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[first].vertices);
-        const double t = static_cast<double>(k) / static_cast<double>(values.size() - 1);
         result.largest_pressure = values[k];
-        result.at = k + 1 == values.size() ? b : scene::Vector<2>(a + t * (b - a));
+        result.at = place(k, values.size() - 1);
         result.grows = at_end ? growth(report, chain, i, k == 0 ? 0 : 1) : "";
       }
     }

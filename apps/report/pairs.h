@@ -5,7 +5,7 @@
 
 namespace bracket::apps {
 
-/// What a contact pair transmits by λ_h: computed, not guaranteed.
+/// What a contact pair transmits by λ_h, and what u_h leaves of its gap: computed, not guaranteed.
 struct PairSummary {
   double force = 0;  ///< ∫ p
   double largest_pressure = 0;
@@ -15,6 +15,8 @@ struct PairSummary {
   std::string grows;
   double length = 0;          ///< of the first side's edges in contact
   double pressed_length = 0;  ///< of those on which p > 0 somewhere
+  double largest_gap = 0;     ///< that u_h leaves
+  scene::Vector<2> gap_at = scene::Vector<2>::Zero();
 };
 PairSummary summary(const Report& report, int pair);
 

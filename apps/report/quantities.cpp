@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/report/findings.h"
+#include "apps/report/lines.h"
 #include "apps/report/numbers.h"
 #include "apps/report/shares.h"
+#include "apps/report/units.h"
 
 namespace bracket::apps {
 namespace {
@@ -56,10 +59,10 @@ std::string decimal(double value, int last, bool upward) {
   return scientific(value, decimals, away);
 }
 
-std::string half_width(const bounds::QuantityInterval& interval) {
-  const double width = interval.upper - interval.lower;
-  if (std::isfinite(interval.relative_width)) return rounded_up(50 * interval.relative_width) + " %";
-  return rounded_up_exponent(width / 2);
+std::string half_width(double lower, double upper, const std::string& unit) {
+  const double size = std::max(std::abs(lower), std::abs(upper)), width = upper - lower;
+  if (lower <= 0 && upper >= 0) return rounded_up_exponent(width / 2) + unit;
+  return rounded_up(50 * (width / size)) + " %";
 }
 
 }  // namespace
@@ -67,47 +70,59 @@ std::string half_width(const bounds::QuantityInterval& interval) {
 Decimals enclosed_in_decimals(double lower, double upper) {
   const double size = std::max(std::abs(lower), std::abs(upper)), width = upper - lower;
   if (size == 0) return {"0", "0"};
-  const int most = exponent_of(size) - 16, fewest = exponent_of(size) - 2;  // digits that tell doubles apart; three
+  const int most = exponent_of(size) - 14, fewest = exponent_of(size) - 2;  // fifteen digits; three
   const int last = width > 0 ? std::clamp(exponent_of(width) - 1, most, fewest) : most;
   return {decimal(lower, last, false), decimal(upper, last, true)};
 }
 
-std::string told(const bounds::QuantityInterval& interval, const std::string& units) {
-  const std::string label = units.empty() ? "" : "   (" + units + ")";
+std::string interval_text(double lower, double upper, const std::string& unit) {
+  if (!std::isfinite(upper)) return fmt::format("at least {}{}", enclosed_in_decimals(lower, lower).lower, unit);
+  if (!std::isfinite(lower)) return fmt::format("at most {}{}", enclosed_in_decimals(upper, upper).upper, unit);
+  const auto [low, high] = enclosed_in_decimals(lower, upper);
+  return low == high ? low + unit : fmt::format("{} … {}{}", low, high, unit);
+}
+
+std::string told(const Report& report, std::size_t quantity) {
+  const bounds::QuantityInterval& interval = report.outcome.quantities[quantity];
+  const Units units = units_of(report.scene.units);
+  const std::string unit = interval.zone >= 0 ? units.force : unit_of(report.scene.quantities[quantity], units);
   const std::string note = interval.weighted ? "   weighted: falls to zero where it meets a support or a contact" : "";
   const bool below = std::isfinite(interval.lower), above = std::isfinite(interval.upper);
   if (!below && !above) return "has no bounds: " + interval.reason;
-  if (!above)
-    return fmt::format("at least {}{}{}   no upper bound: {}",
-                       enclosed_in_decimals(interval.lower, interval.lower).lower, label, note, interval.reason);
-  if (!below)
-    return fmt::format("at most {}{}{}   no lower bound: {}",
-                       enclosed_in_decimals(interval.upper, interval.upper).upper, label, note, interval.reason);
-  const auto [lower, upper] = enclosed_in_decimals(interval.lower, interval.upper);
-  return fmt::format("in [{}, {}]   ± {}{}{}", lower, upper, half_width(interval), label, note);
+  const std::string text = interval_text(interval.lower, interval.upper, unit) + note;
+  if (!above) return fmt::format("{}   no upper bound: {}", text, interval.reason);
+  if (!below) return fmt::format("{}   no lower bound: {}", text, interval.reason);
+  return fmt::format("{}   ± {}", text, half_width(interval.lower, interval.upper, unit));
 }
 
-std::string quantity_lines(const Report& report) {
-  if (report.outcome.guarantee == "none") return "";
-  std::size_t longest = 0;
-  for (const auto& interval : report.outcome.quantities)
-    if (interval.zone < 0) longest = std::max(longest, interval.name.size());
+std::string told_energy(const Report& report, double lower, double upper) {
+  const std::string unit = units_of(report.scene.units).energy;
+  return fmt::format("{}   ± {}", interval_text(lower, upper, unit), half_width(lower, upper, unit));
+}
+
+std::string quantity_lines(const Report& report, std::size_t columns) {
   std::string text;
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
-    if (const auto& one = report.outcome.quantities[i]; one.zone < 0)
-      text += fmt::format("{:<{}}  {}{}\n", one.name, longest, told(one, report.scene.units), share_text(report, i));
+    if (const auto& one = report.outcome.quantities[i]; one.zone < 0) {
+      text += fmt::format("{} {}  {}\n", mark(Standing::guaranteed), padded(one.name, columns), told(report, i));
+      if (const std::string part = share_text(report, i); !part.empty())
+        text += fmt::format("  {}  {}\n", padded("", columns), part);
+    }
   return text;
+}
+
+std::string csv_text(const std::string& text) {
+  std::string quoted = text;
+  for (std::size_t at = 0; (at = quoted.find('"', at)) != std::string::npos; at += 2) quoted.insert(at, "\"");
+  return "\"" + quoted + "\"";
 }
 
 std::string quantities_csv(const Report& report) {
   std::string text = "name,kind,cells,lower,upper,s,seconds\n";
-  for (const auto& interval : report.outcome.quantities) {
-    std::string quoted = interval.name;
-    for (std::size_t at = 0; (at = quoted.find('"', at)) != std::string::npos; at += 2) quoted.insert(at, "\"");
+  for (const auto& interval : report.outcome.quantities)
     for (const auto& level : interval.levels)
-      text += fmt::format("\"{}\",{},{},{},{},{},{}\n", quoted, name(interval.kind), level.cells, level.lower,
-                          level.upper, level.s, level.seconds);
-  }
+      text += fmt::format("{},{},{},{},{},{},{}\n", csv_text(interval.name), name(interval.kind), level.cells,
+                          level.lower, level.upper, level.s, level.seconds);
   return text;
 }
 

@@ -35,6 +35,9 @@ Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome);
 /// The width of the run's bracket by the larger of its bounds' sizes.
 double relative_width(const bounds::Outcome<2>& outcome);
 
+/// Whether the indicators are together no more than what doubles tell of the energy: where they lie says nothing.
+bool error_is_rounding(const bounds::Outcome<2>& outcome);
+
 /// report.json: the fields of the report, schema 1. A number that is not finite is null.
 std::string report_json(const Report& report);
 
@@ -47,11 +50,21 @@ std::string quantities_csv(const Report& report);
 /// history.csv: a line of names, then a line per level.
 std::string history_csv(const Report& report);
 
-/// A line for each quantity, then one for the energy: the interval, its width by its size, and the guaranteed relative
-/// error (both rounded up); or that there is no guarantee, and why.
+/// contact.csv: a line of names, then a line for each number of contacts, supports and bodies, computed or guaranteed.
+std::string findings_csv(const Report& report);
+
+/// What is solved: title, file, plane and units.
+std::string scene_text(const scene::Scene<2>& scene);
+/// The lines that are printed level by level: names, then the interval so far (of the goal, where there is one), the
+/// guaranteed error and the seconds until then. \pre the last level is new
+std::string level_names(const scene::Scene<2>& scene);
+std::string level_line(const Report& so_far);
+
+/// The answer, every bound rounded outward: how the problem is not quite the scene's, where it is not, each in a line;
+/// the guaranteed error; each quantity; the energy. Or that there is no guarantee, and why.
 std::string headline(const Report& report);
 
-/// All that follows the headline on the terminal: levels and what they cost, contact, checks, data, what was left out.
+/// All that follows the headline on the terminal: contacts, supports, bodies, checks, data, seconds, what was left out.
 std::string report_text(const Report& report);
 
 /// report.html: the same for people, with the pictures, in one file that refers to no other.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/report/columns.h"
+#include "apps/report/findings.h"
 #include "apps/report/html.h"
 #include "apps/report/numbers.h"
 #include "apps/report/quantities.h"
@@ -51,8 +52,8 @@ std::string quantities(const Report& report) {
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
     const bounds::QuantityInterval& one = report.outcome.quantities[i];
-    rows.push_back({escaped(one.name),
-                    escaped(told(one, one.zone < 0 ? report.scene.units : "") + share_text(report, i)),
+    const std::string part = share_text(report, i);
+    rows.push_back({escaped(one.name), escaped(told(report, i) + (part.empty() ? "" : ", " + part)),
                     std::to_string(one.levels.empty() ? 0 : one.levels.back().cells)});
   }
   return rows.empty() ? ""
@@ -116,6 +117,7 @@ std::string pictures(const Report& report, const std::vector<Drawing>& drawings)
   std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n";
   for (const Drawing& drawing : drawings) html += inlined(drawing);
   html += "</div>\n";
+  if (error_is_rounding(report.outcome)) html += "<p>The error is rounding: there is no picture of where it is.</p>\n";
   for (const std::string& line : report.missing) html += "<p>Missing: " + escaped(line) + ".</p>\n";
   return html;
 }
@@ -190,6 +192,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
       report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
   if (guaranteed) html += quantities(report);
   html += answer(report);
+  html += findings_html(report);
   if (guaranteed) html += scope(report) + pictures(report, drawings) + levels(report);
   html += seconds(report) + checks(outcome.levels.back().checks);
   html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "apps/report/columns.h"
+#include "apps/report/findings.h"
 #include "apps/report/json.h"
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
@@ -107,6 +109,11 @@ Json share_json(const Report& report, std::size_t quantity) {
   return known ? Json{{"lower", known->lower}, {"upper", known->upper}} : Json();
 }
 
+bool error_is_rounding(const bounds::Outcome<2>& outcome) {
+  const double energy = std::max(std::abs(outcome.lower), std::abs(outcome.upper));
+  return outcome.guarantee != "none" && outcome.indicator.sum <= std::numeric_limits<double>::epsilon() * energy;
+}
+
 Json quantities_json(const Report& report) {
   Json quantities = Json::array();
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
@@ -143,32 +150,56 @@ Json zones_json(const Report& report, int contact) {
   return zones;
 }
 
-Json contact_json(const Report& report) {
+/// What was computed of one of the rows' subjects by its key, with its bounds where there are some, and where it is.
+void put(Json& json, const Finding& row) {
+  if (!std::isfinite(row.computed)) return;
+  json[row.key] = row.computed;
+  if (row.bounds) json[row.key + "_bounds"] = {{"lower", row.bounds->lower}, {"upper", row.bounds->upper}};
+  if (row.at) json[row.key + "_at"] = {row.at->x(), row.at->y()};
+}
+
+Json contact_json(const Report& report, const std::vector<Finding>& rows) {
   Json pairs = Json::array();
   for (int i = 0; i < static_cast<int>(report.scene.contact.size()); ++i) {
     const PairSummary of = summary(report, i);
-    pairs.push_back({{"name", report.scene.contact[i].name},
-                     {"first", name(report.scene.contact[i].first)},
-                     {"second", name(report.scene.contact[i].second)},
-                     {"force", of.force},
-                     {"length", of.length},
-                     {"pressed_length", of.pressed_length},
-                     {"largest_pressure", of.largest_pressure},
-                     {"at", {of.at[0], of.at[1]}},
-                     {"grows", of.grows}});
+    Json& pair = pairs.emplace_back(Json{{"name", report.scene.contact[i].name},
+                                         {"first", name(report.scene.contact[i].first)},
+                                         {"second", name(report.scene.contact[i].second)}});
+    for (const Finding& row : rows)
+      if (row.contact == i) put(pair, row);
+    pair["at"] = {of.at[0], of.at[1]};
+    pair["grows"] = of.grows;
     if (report.outcome.guarantee != "none" && !report.running) {
       const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
                                              report.outcome.levels.back().certificate, i);
-      pairs.back()["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
+      pair["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
     }
-    if (report.scene.contact[i].zones > 0) pairs.back()["zones"] = zones_json(report, i);
+    if (report.scene.contact[i].zones > 0) pair["zones"] = zones_json(report, i);
   }
   return pairs;
+}
+
+Json supports_json(const std::vector<Finding>& rows) {
+  Json supports = Json::array();
+  for (const Finding& row : rows) {
+    if (row.subject != Subject::support) continue;
+    if (supports.empty() || supports.back()["part"] != row.of) supports.push_back({{"part", row.of}});
+    put(supports.back(), row);
+  }
+  return supports;
+}
+
+Json bodies_json(const std::vector<Finding>& rows) {
+  Json json;
+  for (const Finding& row : rows)
+    if (row.subject == Subject::bodies) put(json, row);
+  return json;
 }
 
 std::string report_json(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   const bounds::Level& last = outcome.levels.back();
+  const std::vector<Finding> rows = findings(report);
   Json levels = Json::array();
   for (std::size_t i = 0; i < outcome.levels.size(); ++i)
     levels.push_back(level_json(outcome.levels[i], report.around[i]));
@@ -191,7 +222,9 @@ std::string report_json(const Report& report) {
                       {"levels", levels},
                       {"quantities", quantities_json(report)},
                       {"checks", checks_json(last.checks, outcome.problem.oscillation)},
-                      {"contact", contact_json(report)},
+                      {"contact", contact_json(report, rows)},
+                      {"supports", supports_json(rows)},
+                      {"bodies", bodies_json(rows)},
                       {"loads_changed", outcome.problem.imbalance},
                       {"quality", quality_json(outcome.problem.mesh)},
                       {"seconds", {{"read", report.read}, {"pictures", report.pictures}}},

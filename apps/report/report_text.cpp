@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "apps/report/columns.h"
+#include "apps/report/findings.h"
+#include "apps/report/lines.h"
 #include "apps/report/numbers.h"
-#include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
-#include "apps/report/shares.h"
-#include "bounds/certificate/open_contact.h"
+#include "apps/report/units.h"
 
 namespace bracket::apps {
 namespace {
@@ -19,110 +21,66 @@ namespace {
 std::string explanation(const Report& report) {
   if (report.outcome.guarantee == "none")
     return "No bound is printed; the plain values of this run are in report.json.\n";
-  return fmt::format(
-      "The exact potential energy lies in this interval: not below minus the complementary energy of stresses in\n"
-      "equilibrium, not above the potential energy of displacements that respect the contact. The error of either\n"
-      "field, in the energy norm, is at most the square root of twice the width: {}.\n"
-      "Guarantee: {}. The fields were moved into balance and out of contact exactly, and every rounding error of\n"
-      "their energies is within the interval.\n{}",
-      rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))), report.outcome.guarantee,
-      report.outcome.guarantee == "discretisation"
-          ? "Some functions are known at points only; what they do between those is not in it.\n"
-          : "");
-}
-
-std::string level_table(const Report& report) {
-  const auto rows = level_rows(report, {{"cells", {"cells"}},
-                                        {"displacements", {"primal_dofs"}},
-                                        {"stresses", {"dual_dofs"}},
-                                        {"lower bound", {"lower"}},
-                                        {"upper bound", {"upper"}},
-                                        {"error", {"relative_error_bound"}},
-                                        {"seconds", {"seconds_total"}}});
-  std::vector<std::size_t> width(rows[0].size(), 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) width[c] = std::max(width[c], row[c].size());
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) text += fmt::format("{}{:>{}}", c > 0 ? "  " : "", row[c], width[c]);
-    text += "\n";
-  }
-  return text +
-         (report.scene.curves.empty()
-              ? "       (unknowns of either formulation; each level's own bounds, of which the interval is the "
-                "intersection)\n"
-              : "       (unknowns of either formulation; each level's own bounds, of the polygon that its arcs are)\n");
-}
-
-std::string seconds_table(const Report& report) {
-  std::string text = "\nSeconds         ";
-  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
-  text += fmt::format("{:>10}\n", "all");
-  for (const auto& [name, formulation] : {std::pair("displacements", "primal"), std::pair("stresses", "dual")}) {
-    text += fmt::format("  {:<14}", name);
-    for (const char* phase : phase_names)
-      text += fmt::format("{:>10.2f}", sum(fmt::format("{}_{}", formulation, phase), report));
-    text += fmt::format("{:>10.2f}\n", sum(fmt::format("seconds_{}", formulation), report));
-  }
-  return text + fmt::format(
-                    "  (side by side), read {:.2f}, mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f}, "
-                    "write {:.2f}, pictures "
-                    "{:.2f}\n",
-                    report.read, sum("seconds_mesh", report), sum("seconds_estimate", report),
-                    sum("seconds_certify", report), sum("seconds_quantities", report), sum("seconds_write", report),
-                    report.pictures);
-}
-
-// What one pair transmits, and whether its largest pressure says something.
-std::string pair_line(const Report& report, int pair) {
-  const PairSummary of = summary(report, pair);
-  const auto& contact = report.scene.contact[pair];
-  return fmt::format("  {} on {}: force {:.4g}, largest pressure {:.4g}{}, pressed on {:.4g} of a length of {:.4g}\n",
-                     name(contact.first), name(contact.second), of.force, of.largest_pressure,
-                     of.grows.empty() ? "" : " (grows with refinement: at " + of.grows + ")", of.pressed_length,
-                     of.length);
-}
-
-/// What the open part of a contact can carry.
-std::string open_line(const Report& report, int pair) {
-  if (report.outcome.guarantee == "none") return "";
-  const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
-                                         report.outcome.levels.back().certificate, pair);
-  if (open.length == 0) return "";
-  return fmt::format(
-      "    guaranteed: where it is open by {:.4g} or more, on {:.4g} of its length, it carries at most {}\n", open.gap,
-      open.length, rounded_up(open.force));
-}
-
-/// The forces of a contact's zones, and where it presses for sure.
-std::string zone_lines(const Report& report, int pair) {
-  std::string text;
-  if (report.outcome.guarantee == "none") return text;
-  for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
-    if (const auto& one = report.outcome.quantities[i]; one.contact == pair && one.zone >= 0)
-      text += fmt::format("    {}: force {}{}{}\n", one.name, told(one, ""), share_text(report, i),
-                          one.lower > 0 ? "   in contact somewhere" : "");
+  std::string text = fmt::format(
+      "The exact values lie in these intervals, for sure ({}).\n"
+      "What the energy is good for: the error follows from it. At least minus the\n"
+      "complementary energy of stresses in equilibrium, at most the potential energy\n"
+      "of displacements that respect the contact: the root of twice the width bounds\n"
+      "the error of either field in the energy norm.\n",
+      report.outcome.guarantee);
+  if (report.outcome.guarantee == "discretisation")
+    text += "Some functions are known at points only; what they do between is not in it.\n";
+  if (report.outcome.levels.size() > 1)
+    text += report.scene.curves.empty() ? "The interval is the intersection of those of the levels.\n"
+                                        : "The interval is that of the last level's polygon, which its arcs are.\n";
   return text;
 }
 
-std::string contact_text(const Report& report) {
+/// What the formulations cost, a row each.
+std::string seconds_table(const Report& report) {
+  std::string text = fmt::format("\n{:<15}{:>10}", "Seconds", "unknowns");
+  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
+  text += "\n";
+  const bounds::Level& last = report.outcome.levels.back();
+  for (const auto& [name, formulation, unknowns] : {std::tuple("displacements", "primal", last.primal.unknowns),
+                                                    std::tuple("stresses", "dual", last.dual.unknowns)}) {
+    text += fmt::format("  {:<13}{:>10}", name, unknowns);
+    for (const char* phase : phase_names)
+      text += fmt::format("{:>10.2f}", sum(fmt::format("{}_{}", formulation, phase), report));
+    text += "\n";
+  }
+  return text +
+         fmt::format(
+             "  (side by side); mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f},\n  write {:.2f}, "
+             "pictures {:.2f}\n",
+             sum("seconds_mesh", report), sum("seconds_estimate", report), sum("seconds_certify", report),
+             sum("seconds_quantities", report), sum("seconds_write", report), report.pictures);
+}
+
+/// How the contact was found, and whether that was hard.
+std::string iterations_text(const Report& report) {
   if (report.scene.contact.empty()) return "";
-  const contact::Statistics &primal = report.outcome.levels.back().primal, &dual = report.outcome.levels.back().dual;
-  std::string text =
-      fmt::format("\nContact: displacements {} of {} rows closed in {} iterations, stresses {} of {} in {}\n",
-                  primal.active_rows, primal.rows, primal.iterations, dual.active_rows, dual.rows, dual.iterations);
-  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
-    text += pair_line(report, pair) + open_line(report, pair) + zone_lines(report, pair);
+  constexpr int many = 30;
+  const bounds::Level& last = report.outcome.levels.back();
+  int most = 0;
+  for (const bounds::Level& level : report.outcome.levels)
+    most = std::max({most, level.primal.iterations, level.dual.iterations});
+  std::string text = "\n";
+  for (const auto& [name, of] : {std::pair("displacements", &last.primal), std::pair("stresses", &last.dual)})
+    text += fmt::format("Contact of the {}: {} of {} rows closed, found in {}\n", name, of->active_rows, of->rows,
+                        of->iterations == 1 ? "one step" : fmt::format("{} steps", of->iterations));
+  // Uzawa's iteration is another one, which takes thousands.
+  if (most > many && report.scene.solve.dual == scene::Dual::hybrid)
+    text += fmt::format("To find which rows are closed took {} steps on one level, which is many.\n", most);
   return text;
 }
 
 std::string checks_text(const bounds::Checks& checks) {
   std::string text =
-      "\nChecks of the fields as computed, before the certificate (by the size of the scene's stresses or "
-      "displacements)\n";
+      "\nChecks of the fields as computed, before the certificate (by the largest stress\nor displacement)\n";
   for (const bounds::Check& check : checks.all())
-    text += fmt::format("  {:<18} {:>8.1e}  {:<6} {}\n", check.name, check.value,
-                        check.value <= bounds::Checks::tolerance ? "ok" : "LARGE", check.meaning);
+    text += fmt::format("{:>5} {:<17}{:>8.1e} {}\n", check.value <= bounds::Checks::tolerance ? "ok" : "LARGE",
+                        check.name, check.value, check.meaning);
   return text;
 }
 
@@ -144,54 +102,94 @@ std::string data_text(const Report& report) {
          changed;
 }
 
-std::string accuracy(const bounds::Outcome<2>& outcome) {
+std::string error_text(const bounds::Outcome<2>& outcome) {
   if (outcome.unstrained && outcome.lower < outcome.upper)
     return "nothing is strained, but for the rounding of the data";
-  return fmt::format("relative width {}   guaranteed relative error {}", rounded_up_exponent(relative_width(outcome)),
-                     percent(outcome.relative_error_bound));
+  return fmt::format("≤ {}   of displacements and stresses (energy norm)", percent(outcome.relative_error_bound));
 }
 
-/// Of the problem that the bounds hold for, where it is not quite the scene's.
+/// Of the problem that the bounds hold for, where it is not quite the scene's, a line each.
 std::string what_else(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
+  const std::string energy_unit = units_of(report.scene.units).energy;
   std::string text;
   if (!report.scene.curves.empty())
-    text += "   of the last mesh's polygon" +
-            (std::isfinite(outcome.moved) ? ", moved by " + rounded_up_exponent(outcome.moved) + " from the one before"
-                                          : std::string());
+    text += "! of the last mesh's polygon" +
+            (std::isfinite(outcome.moved) ? ", whose energy moved by " + rounded_up_exponent(outcome.moved) +
+                                                energy_unit + " from the one before"
+                                          : std::string()) +
+            "\n";
   const double changed = outcome.problem.imbalance;
   // To first order the energy moves by twice the part by which the loads do.
   if (2 * changed > relative_width(outcome))
-    text += fmt::format("   loads changed by {} to balance", rounded_up_exponent(changed));
-  if (outcome.guarantee == "discretisation") text += "   for data that were sampled";
+    text += fmt::format("! loads changed by {} to balance\n", rounded_up_exponent(changed));
+  if (outcome.guarantee == "discretisation") text += "! for data that were sampled\n";
   const bounds::Level& last = outcome.levels.back();
   if (last.oscillation_energy > outcome.upper - outcome.lower)
-    text += fmt::format("   for the data of '{}' as the first mesh has them, which is {} off", last.oscillation_part,
+    text += fmt::format("! for the data of '{}' as the first mesh has them, which is {} off\n", last.oscillation_part,
                         std::isfinite(last.oscillation_energy)
-                            ? "an energy of about " + rounded_up_exponent(last.oscillation_energy)
+                            ? "an energy of about " + rounded_up_exponent(last.oscillation_energy) + energy_unit
                             : "no bounded energy");
   return text;
 }
 
+/// What is narrowed level by level: a goal's interval or the energy's.
+const bounds::QuantityInterval* goal(const Report& report) {
+  const auto found =
+      std::ranges::find(report.outcome.quantities, report.scene.refine.goal, &bounds::QuantityInterval::name);
+  return report.scene.refine.goal.empty() || found == report.outcome.quantities.end() ? nullptr : &*found;
+}
+
+constexpr const char* level_format = "{:>5}{:>9}{:>11}  {}{:>8}\n";
+constexpr std::size_t interval_columns = 45;
+
 }  // namespace
 
+std::string scene_text(const scene::Scene<2>& scene) {
+  return within_columns((scene.title.empty() ? "" : scene.title + "\n") +
+                        fmt::format("Scene: {}; plane {}{}\n", scene.file, name(scene.plane),
+                                    scene.units.empty() ? "" : "; units " + scene.units));
+}
+
+std::string level_names(const scene::Scene<2>& scene) {
+  const std::string narrowed = scene.refine.goal.empty() ? "energy" : scene.refine.goal;
+  return fmt::format(level_format, "level", "cells", "error", padded(narrowed + " so far", interval_columns),
+                     "seconds");
+}
+
+std::string level_line(const Report& so_far) {
+  const bounds::Outcome<2>& outcome = so_far.outcome;
+  const bounds::QuantityInterval* const asked = goal(so_far);
+  const double lower = asked ? asked->lower : outcome.lower, upper = asked ? asked->upper : outcome.upper;
+  const bool known = std::isfinite(lower) || std::isfinite(upper);
+  return fmt::format(level_format, outcome.levels.size() - 1, outcome.levels.back().cells,
+                     percent(outcome.relative_error_bound),
+                     padded(known ? interval_text(lower, upper, "") : "-", interval_columns),
+                     fmt::format("{:.2f}", so_far.around.back().elapsed));
+}
+
 std::string headline(const Report& report) {
-  if (report.outcome.guarantee == "none") return fmt::format("no guaranteed bounds: {}\n", report.outcome.reason);
-  return quantity_lines(report) + fmt::format("energy in [{}, {}]   {}{}\n", report.outcome.lower, report.outcome.upper,
-                                              accuracy(report.outcome), what_else(report));
+  const bounds::Outcome<2>& outcome = report.outcome;
+  if (outcome.guarantee == "none") return within_columns(fmt::format("no guaranteed bounds: {}\n", outcome.reason));
+  const std::string error = "guaranteed error";
+  std::size_t columns = error.size();
+  for (const auto& interval : outcome.quantities)
+    if (interval.zone < 0) columns = std::max(columns, columns_of(interval.name));
+  const char* const sure = mark(Standing::guaranteed);
+  return within_columns(
+      what_else(report) + fmt::format("{} {}  {}\n", sure, padded(error, columns), error_text(outcome)) +
+      quantity_lines(report, columns) +
+      fmt::format("{} {}  {}\n", sure, padded("energy", columns), told_energy(report, outcome.lower, outcome.upper)));
 }
 
 std::string report_text(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
-  std::string text = report.scene.title.empty() ? "\n" : fmt::format("\n{}\n", report.scene.title);
-  text += fmt::format("Scene: {}; plane {}{}\n", report.scene.file, name(report.scene.plane),
-                      report.scene.units.empty() ? "" : "; units " + report.scene.units);
-  text += explanation(report) + "\n";
-  if (outcome.guarantee != "none") text += level_table(report);
-  text += contact_text(report) + checks_text(outcome.levels.back().checks) + data_text(report) + seconds_table(report);
+  std::string text = "\n" + explanation(report) + findings_text(report) + iterations_text(report) +
+                     checks_text(outcome.levels.back().checks) + data_text(report) + seconds_table(report);
+  if (error_is_rounding(outcome)) text += "The error is rounding: there is no picture of where it is.\n";
   if (outcome.status == scene::Status::budget) text += fmt::format("Budget: {}\n", outcome.reason);
-  if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, ";\n            "));
-  return text;
+  if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, "; "));
+  return within_columns(text);
 }
 
 }  // namespace bracket::apps

@@ -56,15 +56,19 @@ std::optional<Share> share(const Report& report, std::size_t quantity) {
   return {};
 }
 
+Share in_percent(const Share& share) {
+  const Enclosure hundred(100);
+  return {lower(hundred * Enclosure(share.lower)), std::min(upper(hundred * Enclosure(share.upper)), 100.0)};
+}
+
 std::string share_text(const Report& report, std::size_t quantity) {
   const auto known = share(report, quantity);
   if (!known) return "";
-  const Enclosure hundred(100);
-  const double low = lower(hundred * Enclosure(known->lower)), high = upper(hundred * Enclosure(known->upper));
-  const auto [from, to] = enclosed_in_decimals(low, std::min(high, 100.0));
-  if (known->lower == 0) return fmt::format("   of the total at most {} %", to);
-  if (known->upper == 1) return fmt::format("   of the total at least {} %", from);
-  return fmt::format("   of the total {} to {} %", from, to);
+  const auto [low, high] = in_percent(*known);
+  const auto [from, to] = enclosed_in_decimals(low, high);
+  if (known->lower == 0) return fmt::format("of the total at most {} %", to);
+  if (known->upper == 1) return fmt::format("of the total at least {} %", from);
+  return fmt::format("of the total {} to {} %", from, to);
 }
 
 }  // namespace bracket::apps

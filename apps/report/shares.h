@@ -20,7 +20,10 @@ Share share(const bounds::QuantityInterval& part, const bounds::QuantityInterval
 /// known on one mesh; else, or where it may be anything, none. \param quantity index into Outcome::quantities
 std::optional<Share> share(const Report& report, std::size_t quantity);
 
-/// "   of the total 12.31 to 12.35 %", rounded outward; nothing without a share.
+/// The same in percent, rounded outward.
+Share in_percent(const Share& share);
+
+/// "of the total 12.31 to 12.35 %", rounded outward; nothing without a share.
 std::string share_text(const Report& report, std::size_t quantity);
 
 }  // namespace bracket::apps

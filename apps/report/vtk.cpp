@@ -264,14 +264,14 @@ std::string assessment_vtu(const bounds::Assessment& assessment) {
   return vtu(grid);
 }
 
-std::string collection_pvd(int levels, bool contact) {
+std::string collection_pvd(int first, int levels, bool contact) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   const auto add = [&text](int level, int part, const char* name) {
     text += fmt::format("<DataSet timestep=\"{0}\" part=\"{1}\" file=\"{2}_{0}.vtu\"/>\n", level, part, name);
   };
-  for (int level = 0; level < levels; ++level) {
+  for (int level = first; level < levels; ++level) {
     add(level, 0, "solution");
     if (contact) add(level, 1, "contact");
   }

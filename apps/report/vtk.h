@@ -21,7 +21,8 @@ std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displace
 std::string contact_vtu(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact,
                         const bounds::Indicator& indicator);
 
-/// A ParaView collection of solution_k.vtu and, with a contact, contact_k.vtu of the levels k, which stand for time.
-std::string collection_pvd(int levels, bool contact);
+/// A ParaView collection of solution_k.vtu and, with a contact, contact_k.vtu of the levels k from `first` on, which
+/// stand for time.
+std::string collection_pvd(int first, int levels, bool contact);
 
 }  // namespace bracket::apps

@@ -6,7 +6,9 @@
 
 #include "apps/plots/pictures.h"
 #include "apps/report/json.h"
+#include "apps/report/lines.h"
 #include "apps/report/numbers.h"
+#include "apps/report/quantities.h"
 #include "apps/studies/extremes.h"
 
 namespace bracket::apps {
@@ -38,42 +40,49 @@ std::optional<double> widening(const Extremes& extremes, const Extreme& row) {
 
 bool has_width(const Extreme& row) { return row.interval && row.interval->relative_width() > 0; }
 
+constexpr const char* format = "{:>8}  {}{:>9}{:>6}{:>8}";
+constexpr std::size_t interval_columns = 42;
+
 /// \param reasons those of the lines before and of this one
 std::string line(const Extremes& extremes, const Extreme& row, const std::vector<std::string>& reasons) {
   const auto ratio = widening(extremes, row);
-  std::string text = fmt::format("{:<21}{:>9.2g}", row.sweep, row.parameter);
-  if (row.interval)
-    text += fmt::format("{:>25.16g}{:>25.16g}{:>10}", row.interval->lower, row.interval->upper,
-                        rounded_up_exponent(row.interval->relative_width()));
-  else
-    text += fmt::format("{:>25}{:>25}{:>10}", "-", "-", "-");
-  text += fmt::format("{:>10}{:>10}{:>9.3f}{:>7}", verdict(row), ratio ? fmt::format("{:.2g}", *ratio) : "-",
-                      row.seconds, static_cast<int>(row.status));
   const auto reason = std::ranges::find(reasons, row.reason);
-  return text + (row.reason.empty() ? "\n" : fmt::format(" [{}]\n", reason - reasons.begin() + 1));
+  const std::string refused = fmt::format("status {}{}", static_cast<int>(row.status),
+                                          row.reason.empty() ? "" : fmt::format(" [{}]", reason - reasons.begin() + 1));
+  return fmt::format(format, fmt::format("{:.2g}", row.parameter),
+                     padded(row.interval ? interval_text(row.interval->lower, row.interval->upper, "") : refused,
+                            interval_columns),
+                     row.interval ? rounded_up_exponent(row.interval->relative_width()) : "-", verdict(row),
+                     ratio ? fmt::format("{:.2g}", *ratio) : "-") +
+         "\n";
 }
 
 }  // namespace
 
 std::string extremes_text(const Extremes& extremes) {
-  std::string text = fmt::format("{:<21}{:>9}{:>25}{:>25}{:>10}{:>10}{:>10}{:>9}{:>7}\n", "sweep", "parameter",
-                                 "lower bound", "upper bound", "width", "contains", "widening", "seconds", "status");
+  std::string text =
+      fmt::format(format, "", padded("energy between", interval_columns), "width", "meets", "wider") + "\n";
   const Interval& benign = extremes.benign;
-  text += fmt::format("{:<30}{:>25.16g}{:>25.16g}{:>10}\n", "the scene as it is", benign.lower, benign.upper,
-                      rounded_up_exponent(benign.relative_width()));
+  text += "the scene as it is\n" +
+          fmt::format(format, "", padded(interval_text(benign.lower, benign.upper, ""), interval_columns),
+                      rounded_up_exponent(benign.relative_width()), "", "") +
+          "\n";
   std::vector<std::string> reasons;
+  std::string sweep;
   for (const Extreme& row : extremes.rows) {
     if (!row.reason.empty() && std::ranges::find(reasons, row.reason) == reasons.end()) reasons.push_back(row.reason);
+    if (row.sweep != sweep) text += (sweep = row.sweep) + "\n";
     text += line(extremes, row, reasons);
   }
   text +=
-      "(each interval is that of one mesh, the scene's first, for the resultants refined at the ends of the contact;\n"
-      " width: relative, rounded up; widening: by that of the scene as it is; contains: whether the interval meets\n"
-      " another of the same energy: that of the scene as it is, times the factor of the change, or where the problem\n"
-      " is another one its own on the mesh with all edges halved)\n";
+      "(each interval is that of one mesh, the scene's first, for the resultants\n"
+      "refined at the ends of the contact; width: relative, rounded up; wider: by that\n"
+      "of the scene as it is; meets: whether the interval meets another of the same\n"
+      "energy: that of the scene as it is, times the factor of the change, or where the\n"
+      "problem is another one its own on the mesh with all edges halved)\n";
   for (std::size_t i = 0; i < reasons.size(); ++i) text += fmt::format("[{}] {}\n", i + 1, reasons[i]);
   for (const std::string& reason : extremes.left_out) text += "left out: " + reason + "\n";
-  return text;
+  return within_columns(text);
 }
 
 std::string extremes_csv(const Extremes& extremes) {

@@ -8,7 +8,9 @@
 #include "apps/plots/pictures.h"
 #include "apps/report/columns.h"
 #include "apps/report/json.h"
+#include "apps/report/lines.h"
 #include "apps/report/numbers.h"
+#include "apps/report/quantities.h"
 #include "apps/studies/study.h"
 
 namespace bracket::apps {
@@ -35,27 +37,24 @@ std::string power(const Series& series) {
 }  // namespace
 
 std::string study_text(const std::vector<Series>& all) {
-  std::string text = fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22} {:>22} {:>9}{:>7}", "strategy", "degree", "cells",
-                                 "displacements", "stresses", "lower bound", "upper bound", "error", "mesh");
-  for (const char* name : phase_names) text += fmt::format("{:>10}", name);
-  text += fmt::format("{:>10}{:>9}\n", "estimate", "elapsed");
-  for (const Series& series : all)
+  constexpr const char* format = "{:>8}{:>11}  {}{:>8}\n";
+  constexpr std::size_t columns = 45;
+  std::string text = fmt::format(format, "cells", "error", padded("energy of the level between", columns), "seconds");
+  for (const Series& series : all) {
+    text += label(series) + "\n";
     for (std::size_t i = 0; i < series.levels.size(); ++i) {
       const bounds::Level& level = series.levels[i];
-      const auto number = [&](const std::string& column) { return value(column, level, series.around[i]); };
-      text += fmt::format("{:<9}{:>6}{:>8}{:>14}{:>9}  {:>22.15g} {:>22.15g} {:>9}{:>7.2f}", series.strategy,
-                          series.degree, level.cells, level.primal.unknowns, level.dual.unknowns, level.bracket.lower,
-                          level.bracket.upper, percent(level.bracket.relative_error_bound), level.seconds.mesh);
-      for (const std::string phase : phase_names)
-        text += fmt::format("{:>10.2f}", number("primal_" + phase) + number("dual_" + phase));
-      text += fmt::format("{:>10.2f}{:>9.2f}\n", level.seconds.estimate, series.around[i].elapsed);
+      text += fmt::format(format, level.cells, percent(level.bracket.relative_error_bound),
+                          padded(interval_text(level.bracket.lower, level.bracket.upper, ""), columns),
+                          fmt::format("{:.2f}", series.around[i].elapsed));
     }
+  }
   text +=
-      "(seconds of both formulations together; they run side by side, so that less time elapses)\n\n"
+      "(seconds since the series began; study.csv has unknowns and where the time went)\n\n"
       "Guaranteed relative error, observed over the last half of the levels\n";
   for (const Series& series : all)
     text += fmt::format("  {:<20} {}   ({})\n", label(series), power(series), series.end);
-  return text;
+  return within_columns(text);
 }
 
 std::string study_csv(const std::vector<Series>& all) {

@@ -40,6 +40,9 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
   for (const auto& [key, node] : table) {
     const std::string found{key.str()};
     if (std::find(known.begin(), known.end(), found) != known.end()) continue;
+    if (found == "friction")
+      fail(Status::input, where(key.source()),
+           "friction: this program does not do that, contact is without; leave the key out to see what that gives");
     fail(Status::input, where(key.source()),
          fmt::format("unknown key '{}'{}: {}", found, name.empty() ? "" : " in " + name, suggestion(found, known)));
   }

@@ -176,6 +176,12 @@ Refine read_refine(const toml::table& entry) {
   return refine;
 }
 
+/// Whether there is an error or a width to reach, which asks for refinement.
+bool has_target(const Scene<2>& scene) {
+  return scene.refine.target > 0 || std::any_of(scene.quantities.begin(), scene.quantities.end(),
+                                                [](const auto& one) { return one.target > 0 || one.absolute > 0; });
+}
+
 /// As many as blocks make; a mesh of a file is taken for a fine one.
 double cells_of(const Scene<2>& scene) {
   if (scene.blocks.empty()) return std::numeric_limits<double>::infinity();
@@ -208,6 +214,9 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   check_keys(root, "",
              {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "quantity",
               "refine", "solve"});
+  if (!root.contains("schema"))
+    fail(Status::input, file.string(),
+         "'schema' is missing; write schema = 1 above all else: it says which format the file has");
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
@@ -246,6 +255,7 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
     for (const toml::node& one : tables(*quantities, "quantity"))
       scene.quantities.push_back(read_quantity(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
+  if (!root["refine"]["strategy"] && has_target(scene)) scene.refine.strategy = Strategy::adaptive;
   if (const toml::node* node = root.get("solve"))
     scene.solve = read_solve(table(*node, "solve"), scene.refine.target, cells_of(scene));
   if (!root["refine"]["bulk"]) scene.refine.bulk = bulk_for(scene.solve.degree);

@@ -9,9 +9,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "apps/report/lines.h"
 
 namespace bracket::apps::tests {
 
@@ -60,6 +63,23 @@ std::string Command::read(const std::string& name) const {
   std::ostringstream content;
   content << file.rdbuf();
   return content.str();
+}
+
+std::pair<double, double> told_of(const std::string& name, const std::string& out) {
+  const std::regex line("● " + name + " +(\\S+)( … (\\S+))?");
+  std::smatch found;
+  if (!std::regex_search(out, found, line)) throw std::runtime_error("nothing is told of " + name + ": " + out);
+  const double lower = std::stod(found[1]);
+  return {lower, found[3].matched ? std::stod(found[3]) : lower};
+}
+
+std::string unbroken(const std::string& text) { return std::regex_replace(text, std::regex("\n +"), " "); }
+
+std::size_t widest(const std::string& text) {
+  std::size_t largest = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) largest = std::max(largest, columns_of(line));
+  return largest;
 }
 
 const char* const endlessly =

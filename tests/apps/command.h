@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "tests/support/folder.h"
 
@@ -33,6 +34,16 @@ class Command : public testing::Test {
 
   const std::filesystem::path& directory = folder_.path();
 };
+
+/// A bound as it is printed: the numbers of the line of the answer that begins with this name.
+/// \pre there is such a line, with an interval
+std::pair<double, double> told_of(const std::string& name, const std::string& out);
+
+/// A text whose lines were broken to fit a terminal, with these lines whole.
+std::string unbroken(const std::string& text);
+
+/// How many columns the widest line of a text takes.
+std::size_t widest(const std::string& text);
 
 /// Arguments that make a scene be refined without end.
 extern const char* const endlessly;

@@ -90,13 +90,13 @@ void expect_theorem_2_3(const Rows& table, const Rows& formulations) {
 void expect_lemma_1_6(const Rows& table) {
   constexpr double rounding = 1e-12, broken = 1e-3;
   const std::map<std::string, std::vector<std::string>> breaks = {
-      {"(1.18) inside of a cell", {"balance (1.18)"}},
-      {"(1.18) between cells", {"jumps (1.18, 22)"}},
-      {"(1.19) load", {"boundary (1.19-21)"}},
-      {"(1.20) shear on the base", {"boundary (1.19-21)"}},
-      {"(1.21) shear on the contact", {"boundary (1.19-21)", "jumps (1.18, 22)"}},  // one side alone is sheared
-      {"(1.22) two pressures", {"jumps (1.18, 22)"}},
-      {"(1.22) tension", {"tension (1.22)"}}};
+      {"(1.18) inside of a cell", {"balance"}},
+      {"(1.18) between cells", {"jumps"}},
+      {"(1.19) load", {"boundary"}},
+      {"(1.20) shear on the base", {"boundary"}},
+      {"(1.21) shear on the contact", {"boundary", "jumps"}},  // one side alone is sheared
+      {"(1.22) two pressures", {"jumps"}},
+      {"(1.22) tension", {"tension"}}};
   std::size_t seen = 0;
   for (const Json& row : table.json["rows"]) {
     const std::string label = row["label"];
@@ -105,7 +105,7 @@ void expect_lemma_1_6(const Rows& table) {
       ++seen;
     else
       EXPECT_TRUE(label.starts_with("solved: ")) << label;
-    for (const char* condition : {"balance (1.18)", "jumps (1.18, 22)", "boundary (1.19-21)", "tension (1.22)"}) {
+    for (const char* condition : {"balance", "jumps", "boundary", "tension"}) {
       const bool meant = entry != breaks.end() && std::ranges::count(entry->second, condition) > 0;
       if (meant)
         EXPECT_GT(table.at(row, condition), broken) << label << ": " << condition;
@@ -113,9 +113,9 @@ void expect_lemma_1_6(const Rows& table) {
         EXPECT_LT(table.at(row, condition), rounding) << label << ": " << condition;
     }
     if (entry != breaks.end())
-      EXPECT_GT(table.at(row, "excess of loads"), broken) << label;
+      EXPECT_GT(table.at(row, "excess"), broken) << label;
     else
-      EXPECT_LT(table.at(row, "excess of loads"), rounding) << label;
+      EXPECT_LT(table.at(row, "excess"), rounding) << label;
   }
   EXPECT_EQ(seen, breaks.size());
 }
@@ -149,6 +149,7 @@ void expect_two_formulations(const Rows& table) {
 TEST_F(Paper, HoldsWhatItStates) {
   const Ended ended = shell("bracket paper");
   ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_LE(widest(ended.out), 80u);
   EXPECT_EQ(ended.err, "");
   const Json tables = Json::parse(read("bracket.paper/paper.json"))["tables"];
   for (const auto& [key, table] : tables.items())

@@ -23,6 +23,7 @@ TEST_F(Study, ComparesEightWaysOfRefining) {
   const Ended ended = shell("bracket study scene.toml --set refine.max_cells=1100 --set refine.target=0.5");
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
+  EXPECT_LE(widest(ended.out), 80u) << ended.out;
   const Json json = study();
   ASSERT_EQ(json["series"].size(), 8u);
   std::size_t levels = 0;
@@ -62,6 +63,13 @@ TEST_F(Study, SaysSoWhereLevelsAreTooFewForAnOrder) {
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("too few levels"), std::string::npos);
   EXPECT_TRUE(study()["series"][0]["order"].is_null());
+}
+
+TEST_F(Study, ATargetThatNothingReachesIsStatus5) {
+  const Ended ended = shell("bracket study scene.toml --set refine.max_levels=2 --set refine.target=1e-9");
+  EXPECT_EQ(ended.status, 5) << ended.err;
+  EXPECT_NE(ended.err.find("no way of refining reaches the target 1e-09"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("too few levels"), std::string::npos) << "two levels have no order: " << ended.out;
 }
 
 TEST_F(Study, FollowsTheRulesOfFolders) {

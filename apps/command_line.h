@@ -1,0 +1,16 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/commands/commands.h"
+
+namespace bracket::apps {
+
+/// Does what the words of a command line ask for. `SCENE` alone is `run SCENE`.
+/// \param words without the program's own name
+/// \throw scene::Error (input), one line, of words that are not understood; and as the commands
+Ending perform(std::vector<std::string> words);
+
+}  // namespace bracket::apps

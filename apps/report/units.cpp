@@ -1,0 +1,85 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/report/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace bracket::apps {
+namespace {
+
+enum class Of { length, force, stress };
+
+struct Unit {
+  std::string_view name;
+  Of of;
+  double si;
+};
+constexpr double inch = 0.0254, pound_force = 4.4482216152605;
+constexpr std::array known = {Unit{"m", Of::length, 1},
+                              Unit{"cm", Of::length, 1e-2},
+                              Unit{"mm", Of::length, 1e-3},
+                              Unit{"µm", Of::length, 1e-6},
+                              Unit{"um", Of::length, 1e-6},
+                              Unit{"in", Of::length, inch},
+                              Unit{"ft", Of::length, 12 * inch},
+                              Unit{"N", Of::force, 1},
+                              Unit{"kN", Of::force, 1e3},
+                              Unit{"MN", Of::force, 1e6},
+                              Unit{"lbf", Of::force, pound_force},
+                              Unit{"kip", Of::force, 1e3 * pound_force},
+                              Unit{"Pa", Of::stress, 1},
+                              Unit{"kPa", Of::stress, 1e3},
+                              Unit{"MPa", Of::stress, 1e6},
+                              Unit{"GPa", Of::stress, 1e9},
+                              Unit{"psi", Of::stress, pound_force / inch / inch},
+                              Unit{"ksi", Of::stress, 1e3 * pound_force / inch / inch}};
+
+}  // namespace
+
+Units units_of(const std::string& label) {
+  std::array<const Unit*, 3> named = {};
+  for (std::size_t begin = 0; begin <= label.size();) {
+    const std::size_t end = std::min(label.find_first_of(",;", begin), label.size());
+    std::string_view word = std::string_view(label).substr(begin, end - begin);
+    word.remove_prefix(std::min(word.find_first_not_of(' '), word.size()));
+    word = word.substr(0, word.find_last_not_of(' ') + 1);
+    const auto* const unit = std::ranges::find(known, word, &Unit::name);
+    if (unit == known.end() || named[static_cast<std::size_t>(unit->of)] != nullptr) return {};
+    named[static_cast<std::size_t>(unit->of)] = unit;
+    begin = end + 1;
+  }
+  const auto& [length, force, stress] = named;
+  if (length == nullptr || (force == nullptr && stress == nullptr)) return {};
+  if (force != nullptr && stress != nullptr) {
+    const double ratio = stress->si * length->si * length->si / force->si;
+    if (std::abs(ratio - 1) > 1e-9) return {};  // rounding of the table's own numbers is less
+  }
+  const std::string_view l = length->name;
+  if (force == nullptr)
+    return {fmt::format(" {}", l), fmt::format(" {}", stress->name), fmt::format(" {} {}", stress->name, l),
+            fmt::format(" {} {}²", stress->name, l), " rad"};
+  return {fmt::format(" {}", l),
+          stress != nullptr ? fmt::format(" {}", stress->name) : fmt::format(" {}/{}²", force->name, l),
+          fmt::format(" {}/{}", force->name, l), fmt::format(" {} {}/{}", force->name, l, l), " rad"};
+}
+
+std::string unit_of(const scene::Quantity<2>& quantity, const Units& units) {
+  if (quantity.weight) return "";
+  switch (quantity.kind) {
+    case scene::QuantityKind::displacement:
+    case scene::QuantityKind::body:
+    case scene::QuantityKind::opening: return units.length;
+    case scene::QuantityKind::rotation: return units.angle;
+    case scene::QuantityKind::force:
+    case scene::QuantityKind::reaction: return units.force;
+    case scene::QuantityKind::stress: return units.stress;
+    case scene::QuantityKind::energy: return units.energy;
+  }
+  return {};
+}
+
+}  // namespace bracket::apps
