@@ -36,7 +36,7 @@ TEST_F(Html, RefersToNothingOutsideOfItself) {
   std::set<std::string> ids;
   for (const std::string& id : all(html, R"re( id=['"]([^'"]*)['"])re")) EXPECT_TRUE(ids.insert(id).second) << id;
   for (const std::string& id : all(html, R"re(href=['"]#([^'"]*)['"])re")) EXPECT_TRUE(ids.contains(id)) << id;
-  EXPECT_EQ(all(html, "(<svg)").size(), 5u);
+  EXPECT_EQ(all(html, "(<svg)").size(), 6u);
 }
 
 TEST_F(Html, TellsTheIntervalTheChecksAndTheScene) {
