@@ -83,7 +83,7 @@ TEST_F(Pictures, AreLeftOutWithTheReportOnRequest) {
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(ended.out.find("report.html"), std::string::npos);
   EXPECT_EQ(shell("ls contact.out").out,
-            "contact_0.vtu\nhistory.csv\nreport.json\nsolution.pvd\nsolution_0.vtu\n");
+            "contact_0.vtu\nhistory.csv\nreport.json\nsolution.pvd\nsolution_0.vtu\nview.py\n");
 }
 
 TEST_F(Pictures, NamesAreDrawnAsTheyAre) {
