@@ -10,7 +10,7 @@
 /// Pictures of bodies: a bitmap of a field, with lines over it.
 namespace bracket::apps {
 
-inline constexpr int longest = 1000;  ///< pixels of the bitmap; about two to one of the picture
+inline constexpr int longest_side = 1000;  ///< pixels of the bitmap; about two to one of the picture
 
 using Line = std::vector<scene::Vector<2>>;
 

@@ -161,12 +161,12 @@ Picture coloured(const Report& report, const char* name, const std::string& capt
   std::vector<Tile> tiles;
   for (int cell = 0; cell < static_cast<int>(report.outcome.problem.mesh.cells.size()); ++cell)
     add_tiles(tiles, shape, measure, cell);
-  const Raster raster = rasterise(tiles, longest);
+  const Raster raster = rasterise(tiles, longest_side);
   Eigen::AlignedBox2d box = box_of(raster);
   const double size = box.sizes().maxCoeff();
   const std::vector<Line> before = outline(shape, false);
   box = box_of(box, before);
-  std::vector<Layer> layers = {lines_layer(before, "lw 0.8 lc rgb '#aaaaaa' notitle"), image_layer(raster),
+  std::vector<Layer> layers = {image_layer(raster), lines_layer(before, "lw 0.8 lc rgb '#aaaaaa' notitle"),
                                lines_layer(outline(shape, true), "lw 1 lc rgb '#333333' notitle")};
   std::string labels;
   if (whole) {
@@ -202,7 +202,7 @@ Picture bodies_picture(const Report& report) {
   };
   std::string caption = std::string("The deformed bodies, displacements times {0:g}, coloured by the ") +
                         (across ? "equivalent stress (von Mises)" : "largest shear stress in the plane") + measured +
-                        " Arrows: loads; hatches: fixed; circles: sliding; grey: before.";
+                        " Arrows: loads, at a name the body force; hatches: fixed; circles: sliding; grey: before.";
   const bool gaps = std::ranges::any_of(
       problem.contact, [](const scene::ContactFacet& contact) { return contact.upper != std::array<double, 3>{}; });
   if (gaps)

@@ -39,7 +39,7 @@ Picture density_picture(const char* name, std::string caption, const char* label
     const auto density = static_cast<float>(of_cell[cell] / scene::volume(mesh, cell));
     tiles.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, {density, density, density}});
   }
-  Raster raster = rasterise(tiles, longest);
+  Raster raster = rasterise(tiles, longest_side);
   // Equal colours for the hundredth of the area with least, and for what is too small to matter.
   const float highest = quantile(raster, 1), lowest = std::max(quantile(raster, 0.01), 1e-10f * highest);
   for (float& value : raster.value) value = value < lowest ? lowest : value;  // NaN stays

@@ -22,7 +22,8 @@ struct Place {
   double t;
 };
 
-struct Drawn {
+/// The bodies as they are drawn, and how large.
+struct DrawnBodies {
   const scene::Problem<2>& problem;
   const scene::Displacement<2>& displacement;
   const DrawnShape& shape;
@@ -34,7 +35,7 @@ struct Drawn {
 };
 
 /// Facets that follow one another, divided into pieces of about equal length: their middles.
-std::vector<Place> middles(const Drawn& drawn, const std::vector<int>& facets, double piece) {
+std::vector<Place> middles(const DrawnBodies& drawn, const std::vector<int>& facets, double piece) {
   const scene::Mesh<2>& mesh = drawn.problem.mesh;
   double all = 0;
   for (const int facet : facets) all += scene::length(mesh, facet);
@@ -88,7 +89,7 @@ std::string label(const std::string& text, const Vector<2>& at, const char* more
   return fmt::format("set label {} at {:.9g},{:.9g} center noenhanced front {}\n", quoted(text), at.x(), at.y(), more);
 }
 
-void add_support(Marks& marks, const Drawn& drawn, const std::vector<int>& piece, bool fixed) {
+void add_support(Marks& marks, const DrawnBodies& drawn, const std::vector<int>& piece, bool fixed) {
   const double step = (fixed ? 0.025 : 0.06) * drawn.size, length = 0.025 * drawn.size;
   for (const Place& place : middles(drawn, piece, step)) {
     const Vector<2>& n = place.outward;
@@ -100,7 +101,7 @@ void add_support(Marks& marks, const Drawn& drawn, const std::vector<int>& piece
 }
 
 /// An arrow's tip is on the part where the load presses, its tail where it pulls.
-void add_loads(Marks& marks, const Drawn& drawn, const std::vector<int>& piece, double largest) {
+void add_loads(Marks& marks, const DrawnBodies& drawn, const std::vector<int>& piece, double largest) {
   for (const Place& place : middles(drawn, piece, 0.05 * drawn.size)) {
     const Vector<2> arrow = 0.1 * drawn.size / largest * load_at(drawn.problem, place);
     if (arrow.norm() < 0.004 * drawn.size) continue;
@@ -110,7 +111,7 @@ void add_loads(Marks& marks, const Drawn& drawn, const std::vector<int>& piece, 
 }
 
 /// The largest load at a place that has an arrow.
-double largest_load(const Drawn& drawn, const std::map<int, std::vector<std::vector<int>>>& all) {
+double largest_load(const DrawnBodies& drawn, const std::map<int, std::vector<std::vector<int>>>& all) {
   double largest = 0;
   for (const auto& [part, pieces] : all)
     for (const auto& piece : pieces)
@@ -120,7 +121,8 @@ double largest_load(const Drawn& drawn, const std::map<int, std::vector<std::vec
 }
 
 /// Beside the middle of the longest piece, and along it where that stands upright.
-void add_name(Marks& marks, const Drawn& drawn, int part, const std::vector<std::vector<int>>& pieces, double beyond) {
+void add_name(Marks& marks, const DrawnBodies& drawn, int part, const std::vector<std::vector<int>>& pieces,
+              double beyond) {
   if (part < 0) return;
   const scene::Mesh<2>& mesh = drawn.problem.mesh;
   const auto length = [&](const std::vector<int>& piece) {
@@ -137,7 +139,7 @@ void add_name(Marks& marks, const Drawn& drawn, int part, const std::vector<std:
 }
 
 /// Whether a point is in a cell as it is drawn.
-bool is_in(const Drawn& drawn, const Vector<2>& point, int cell) {
+bool is_in(const DrawnBodies& drawn, const Vector<2>& point, int cell) {
   std::array<Vector<2>, 3> to;
   for (int k = 0; k < 3; ++k) {
     std::array<double, 3> corner = {0, 0, 0};
@@ -148,8 +150,8 @@ bool is_in(const Drawn& drawn, const Vector<2>& point, int cell) {
   return left(0) && left(1) && left(2);
 }
 
-/// At each body's centre of area if that is in it, else in its largest cell.
-void add_bodies(Marks& marks, const Drawn& drawn) {
+/// Names, at each body's centre of area if that is in it, else in its largest cell; from there the body force.
+void add_bodies(Marks& marks, const DrawnBodies& drawn) {
   const scene::Mesh<2>& mesh = drawn.problem.mesh;
   const std::size_t n = mesh.bodies.size();
   std::vector<double> area(n, 0), largest(n, 0);
@@ -166,7 +168,13 @@ void add_bodies(Marks& marks, const Drawn& drawn) {
   for (std::size_t body = 0; body < n; ++body) centre[body] /= area[body];
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
     if (const int body = mesh.cell_body[cell]; is_in(drawn, centre[body], cell)) place[body] = centre[body];
-  for (std::size_t body = 0; body < n; ++body) marks.labels += label(mesh.bodies[body], place[body], "boxed");
+  for (std::size_t body = 0; body < n; ++body) {
+    marks.labels += label(mesh.bodies[body], place[body], "boxed");
+    const Vector<2>& force = drawn.problem.bodies[body].force;
+    if (force.norm() == 0) continue;
+    const Vector<2> along = drawn.size * force.normalized();
+    marks.arrows.push_back({place[body] + 0.04 * along, place[body] + 0.12 * along});
+  }
 }
 
 Layer pairs_layer(const std::vector<Line>& arrows) {
@@ -181,7 +189,7 @@ Layer pairs_layer(const std::vector<Line>& arrows) {
 
 Symbols symbols(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement, const DrawnShape& shape,
                 double size) {
-  const Drawn drawn{problem, displacement, shape, size};
+  const DrawnBodies drawn{problem, displacement, shape, size};
   const auto all = parts(problem);
   const double largest = largest_load(drawn, all);
   Marks marks;

@@ -17,7 +17,7 @@ struct Symbols {
 };
 
 /// Hatches where bodies are fixed, rollers where they slide, arrows of tractions and pressures (the largest has a
-/// length of 0.1 `size`), names of these parts and of the bodies.
+/// length of 0.1 `size`), names of these parts and of the bodies, and from there the direction of a body force.
 Symbols symbols(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement, const DrawnShape& shape,
                 double size);
 
