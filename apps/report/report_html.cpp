@@ -130,7 +130,8 @@ std::string levels(const Report& report) {
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
-    const bool enclosed = std::isfinite(level.bracket.lower) && std::isfinite(level.bracket.upper);
+    const bool enclosed = std::isfinite(level.bracket.lower) && std::isfinite(level.bracket.upper) &&
+                          level.bracket.lower <= level.bracket.upper;
     const Decimals energy =
         enclosed ? enclosed_in_decimals(level.bracket.lower, level.bracket.upper) : Decimals{"none", "none"};
     const auto closed = [](const contact::Statistics& of) { return fmt::format("{} / {}", of.active_rows, of.rows); };
