@@ -44,12 +44,10 @@ void write_fields(const Results& results, const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
   const int level = static_cast<int>(outcome.levels.size()) - 1;
   const bool contact = !outcome.problem.contact.empty();
-  write_file(folder, fmt::format("solution_{}.vtu", level),
-             solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator));
-  if (contact)
-    write_file(folder, fmt::format("contact_{}.vtu", level),
-               contact_vtu(outcome.problem, report.contact, outcome.indicator));
+  write_file(folder, fmt::format("solution_{}.vtu", level), solution_vtu(report));
+  if (contact) write_file(folder, fmt::format("contact_{}.vtu", level), contact_vtu(report));
   write_file(folder, "solution.pvd", collection_pvd(results.options.last_level ? level : 0, level + 1, contact));
+  write_file(folder, "view.py", paraview_view(report));
 }
 
 void write_level(Results& results, const bounds::Outcome<2>& outcome) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/plots/picture.h"
+#include "apps/report/html.h"
 #include "scene/process.h"
 
 namespace bracket::apps {
@@ -81,9 +82,16 @@ Ended wait(const Plot& plot, std::chrono::steady_clock::time_point end, std::chr
   return {std::move(picture), ""};
 }
 
+// A picture for whoever does not see it, and without what a pointer over it would be told of gnuplot's own.
+std::string described(std::string svg, const std::string& caption) {
+  for (std::size_t from = 0; (from = svg.find("<title>", from)) != std::string::npos;)
+    svg.erase(from, svg.find("</title>", from) + 8 - from);
+  return svg.insert(svg.find("<svg") + 4, " role=\"img\" aria-label=\"" + escaped(caption) + "\"");
+}
+
 Plot start(const Picture& picture, const char* terminal) {
   return start(
-      fmt::format("set encoding utf8\nset terminal {} size {},{} enhanced font 'sans-serif,14' "
+      fmt::format("set encoding utf8\nset terminal {} size {},{} enhanced font 'sans-serif,16' "
                   "background '#ffffff'\n{}",
                   terminal, picture.width, picture.height, picture.script));
 }
@@ -103,8 +111,9 @@ Drawings draw(const std::vector<Picture>& pictures, bool png, std::chrono::secon
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     Ended svg = wait(svgs[i], end, limit), bitmap = png ? wait(pngs[i], end, limit) : Ended{};
     if (svg.fault.empty())
-      drawings.drawn.push_back(
-          {pictures[i].name, pictures[i].caption, std::move(svg.picture), std::move(bitmap.picture), pictures[i].wide});
+      drawings.drawn.push_back({pictures[i].name, pictures[i].caption,
+                                described(std::move(svg.picture), pictures[i].caption), std::move(bitmap.picture),
+                                pictures[i].wide});
     for (const auto& [ending, fault] : {std::pair{".svg", svg.fault}, std::pair{".png", bitmap.fault}})
       if (!fault.empty()) drawings.missing.push_back(pictures[i].name + ending + ": " + fault);
   }

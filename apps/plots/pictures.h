@@ -22,8 +22,17 @@ Picture error_picture(const Report& report);  ///< the guaranteed relative error
 Picture mesh_picture(const Report& report);   ///< the mesh coloured by the density of the indicator
 /// Where a displacement from another program is wrong: its mesh coloured by the density of its squared error.
 Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment);
-Picture stress_picture(const Report& report);   ///< the deformed bodies coloured by a stress
-Picture contact_picture(const Report& report);  ///< pressures and gap along each contact line
+/// The deformed bodies (apps/report/deformed.h) coloured by the equivalent stress, with supports, loads, names, contact
+/// lines and pressures. Where the stress across the plane is not known: by the largest shear stress.
+Picture bodies_picture(const Report& report);
+Picture shear_picture(const Report& report);  ///< the same, without what is around, by the largest shear stress
+/// Pressures and gap along the contact line of a pair, with what is certain of its zones. Its name is "contact" or,
+/// where there are several, "contact_1" and so on.
+Picture contact_picture(const Report& report, int pair);
+
+/// The pressure up to which a pair is drawn: near the largest, but where it is singular less, or nothing else would be
+/// seen. Three hundredths of the pressed length may reach beyond.
+double drawn_pressure(const Report& report, int pair);
 
 /// A point of a curve on logarithmic axes.
 struct Sample {
@@ -41,8 +50,12 @@ inline constexpr const char* displacement_colour = "#d95f0e";
 /// Lines that set up axes as all pictures have them.
 std::string plot_style();
 
-/// gnuplot's label for the units of a scene, in the lower right corner; empty without units.
-std::string units_label(const std::string& units);
+/// What the units of a scene name: "N, mm, MPa" are those of force, length and stress. Empty of any other label.
+std::string length_unit(const std::string& units);
+std::string stress_unit(const std::string& units);
+std::string force_unit(const std::string& units);
+/// gnuplot's string for what has this unit: 'x [mm]', or without one 'x'.
+std::string with_unit(const std::string& what, const std::string& unit);
 
 /// Lines that make the axis "x" or "y" logarithmic, wide enough for all values, none of them on its ends.
 /// \pre at least one value, all > 0

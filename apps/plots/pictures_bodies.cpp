@@ -3,210 +3,222 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
+#include <utility>
 
+#include "apps/plots/canvas.h"
 #include "apps/plots/pictures.h"
-#include "apps/plots/raster.h"
+#include "apps/plots/symbols.h"
+#include "apps/report/deformed.h"
 #include "apps/report/samples.h"
-#include "scene/offsets.h"
+#include "apps/report/stresses.h"
+#include "scene/bernstein.h"
 
 namespace bracket::apps {
 namespace {
 
-constexpr int longest = 1000;        // pixels of the bitmap; about two to one of the picture
-constexpr double shortest_edge = 9;  // of these pixels: shorter edges would hide the colours
-constexpr const char* viridis =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', "
-    "7 '#addc30', 8 '#fde725')\n";
+using scene::Vector;
 
-using Line = std::vector<scene::Vector<2>>;
+/// A measure of a stress in a body.
+using Measure = std::function<double(int body, const scene::Voigt<2>& stress)>;
 
-std::string line_data(const std::vector<Line>& lines) {
-  std::string text;
-  for (const Line& line : lines) {
-    for (const scene::Vector<2>& point : line)
-      fmt::format_to(std::back_inserter(text), "{:.9g} {:.9g}\n", point.x(), point.y());
-    text += "\n";
+/// The run, and where it is drawn.
+struct Drawn {
+  const bounds::Outcome<2>& run;
+  DrawnShape shape;
+  std::vector<std::array<int, 3>> facet;  ///< of each cell: its boundary facets, −1: none
+};
+
+Drawn drawn(const bounds::Outcome<2>& run) {
+  return {run, drawn_shape(run.problem, magnification(run.problem, run.displacement)),
+          facets_of_cells(run.problem.mesh)};
+}
+
+/// A point of a cell on the side opposite to vertex `part`, at t from the next vertex to the one after.
+Vector<2> on_side(const Drawn& drawn, int cell, int part, double t) {
+  const int facet = drawn.facet[cell][part];
+  const auto& [from, to] = scene::Simplex<2>::facets[part];
+  if (facet >= 0)
+    return drawn_on_facet(drawn.run.problem, &drawn.run.displacement, drawn.shape, facet,
+                          from == (part + 1) % 3 ? t : 1 - t);
+  std::array<double, 3> point = {0, 0, 0};
+  point[(part + 1) % 3] = 1 - t;
+  point[(part + 2) % 3] = t;
+  return drawn_in_cell(drawn.run.problem, drawn.run.displacement, drawn.shape, cell, point);
+}
+
+/// A cell's tiles: each of its parts cut along its side, so that curved sides look curved.
+void add_tiles(std::vector<Tile>& tiles, const Drawn& drawn, const Measure& measure, int cell) {
+  const bounds::Outcome<2>& run = drawn.run;
+  const auto sigma = bounds::displacement_stress(run.problem, run.displacement, cell);
+  constexpr std::array<double, 3> centroid = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+  const Vector<2> centre = drawn_in_cell(run.problem, run.displacement, drawn.shape, cell, centroid);
+  const int pieces = std::max(2, run.displacement.degree);
+  for (int part = 0; part < 3; ++part) {
+    const int a = (part + 1) % 3, b = (part + 2) % 3;
+    const auto own = scene::stress_of_part(run.stress, cell, part);
+    const std::vector<scene::Voigt<2>> lambda(own.begin(), own.end());
+    const auto mean = [&](double t, double inside) {  // of both stresses, on the part's side or at the centroid
+      std::array<double, 3> point = {inside / 3, inside / 3, inside / 3};
+      point[a] += (1 - inside) * (1 - t);
+      point[b] += (1 - inside) * t;
+      const auto equilibrated =
+          scene::value_on_triangle(lambda, run.stress.degree, {(1 - inside) * (1 - t), (1 - inside) * t, inside});
+      const auto of_displacement =
+          scene::value_on_triangle(sigma, scene::stress_degree(run.displacement.degree), point);
+      return static_cast<float>(measure(run.problem.mesh.cell_body[cell], (equilibrated + of_displacement) / 2));
+    };
+    for (int i = 0; i < pieces; ++i) {
+      const double from = static_cast<double>(i) / pieces, to = static_cast<double>(i + 1) / pieces;
+      tiles.push_back({{on_side(drawn, cell, part, from), on_side(drawn, cell, part, to), centre},
+                       {mean(from, 0), mean(to, 0), mean(0, 1)}});
+    }
   }
-  return text + "e\n";
 }
 
-/// A canvas of the raster's shape: axes of equal scale, and the colours at the right.
-Picture canvas(const char* name, std::string caption, const Raster& raster, const std::string& units) {
-  const double scale = std::min(600.0 / raster.width, 560.0 / raster.height);
-  const int width = std::max(220, static_cast<int>(scale * raster.width));
-  const int height = std::max(200, static_cast<int>(scale * raster.height));
-  const double x = raster.pixel * raster.width, y = raster.pixel * raster.height, margin = 0.02 * std::max(x, y);
-  const auto range = [margin](double from, double size) {
-    return fmt::format("[{}:{}]", from - margin, from + size + margin);
-  };
-  std::string script =
-      plot_style() + "unset grid\nset size ratio -1\n" + viridis + units_label(units) +
-      fmt::format("set xrange {}\nset yrange {}\n", range(raster.low.x(), x), range(raster.low.y(), y)) +
-      "set lmargin at screen " + fmt::format("{}", 60.0 / (width + 200)) + "\nset rmargin at screen " +
-      fmt::format("{}", (60.0 + width) / (width + 200)) + "\nset xlabel 'x'\nset ylabel 'y' rotate by 0\n";
-  return {name, std::move(caption), width + 200, height + 80, std::move(script)};
+/// A curve along a facet, in as many pieces as it needs to look curved.
+Line along(int degree, const std::function<Vector<2>(double)>& at) {
+  const int last = std::max(4, 2 * degree);
+  Line line;
+  for (int i = 0; i <= last; ++i) line.push_back(at(static_cast<double>(i) / last));
+  return line;
 }
 
-std::vector<Line> contact_lines(const scene::Problem<2>& problem) {
+/// The boundary of all bodies, deformed or as they were.
+std::vector<Line> outline(const Drawn& drawn, bool deformed) {
+  const auto& [run, shape, facets] = drawn;
   std::vector<Line> lines;
-  for (const scene::ContactFacet& facet : problem.contact) {
-    const auto& [a, b] = problem.mesh.boundary[facet.first].vertices;
-    lines.push_back({problem.mesh.vertices[a], problem.mesh.vertices[b]});
-  }
+  for (int facet = 0; facet < static_cast<int>(run.problem.mesh.boundary.size()); ++facet)
+    lines.push_back(along(run.displacement.degree, [&, facet](double t) {
+      return drawn_on_facet(drawn.run.problem, deformed ? &drawn.run.displacement : nullptr, drawn.shape, facet, t);
+    }));
   return lines;
 }
 
-/// The boundary of all bodies.
-std::vector<Line> outline(const scene::Mesh<2>& mesh) {
-  std::vector<Line> lines;
-  for (const auto& facet : mesh.boundary)
-    lines.push_back({mesh.vertices[facet.vertices[0]], mesh.vertices[facet.vertices[1]]});
-  return lines;
-}
+/// The contact lines: where the stresses press, where they do not, what does not move, and the pressure as a height
+/// over them.
+struct ContactLines {
+  std::vector<Line> pressed, open, walls, pressure;
+};
 
-/// The same, moved by `factor` times u_h.
-std::vector<Line> outline(const bounds::Outcome<2>& run, double factor) {
-  const scene::Mesh<2>& mesh = run.problem.mesh;
-  std::vector<Line> lines;
-  for (const auto& facet : mesh.boundary) {
-    const auto& [a, b] = facet.vertices;
-    Line& line = lines.emplace_back();
-    const int last = run.displacement.degree;
-    for (int i = 0; i <= last; ++i) {
-      const double t = static_cast<double>(i) / last;
-      std::array<double, 3> point = {0, 0, 0};
-      point[scene::Simplex<2>::facets[facet.local][0]] = 1 - t;
-      point[scene::Simplex<2>::facets[facet.local][1]] = t;
-      line.push_back((1 - t) * mesh.vertices[a] + t * mesh.vertices[b] +
-                     factor * scene::displacement_at(mesh, run.displacement, facet.cell, point));
+ContactLines contact_lines(const Report& report, const Drawn& drawn, double height) {
+  const scene::Problem<2>& problem = drawn.run.problem;
+  const scene::Displacement<2>& u = drawn.run.displacement;
+  const int degree = std::max(u.degree, drawn.run.stress.degree);
+  ContactLines lines;
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) {
+    const double rounding = rounding_of_pressure(problem, drawn.run.stress, report.contact, pair);
+    const double top = drawn_pressure(report, pair);
+    for (const Chain& chain : chains(problem, pair)) {
+      Line side, heights;  // of what is pressed without a break
+      const auto end = [&] {
+        if (side.empty()) return;
+        lines.pressed.push_back(side);
+        side.insert(side.end(), heights.rbegin(), heights.rend());
+        lines.pressure.push_back(std::move(side));
+        side.clear(), heights.clear();
+      };
+      for (const int i : chain) {
+        const scene::ContactFacet& contact = problem.contact[i];
+        const auto at = [&](double t) { return drawn_on_facet(problem, &u, drawn.shape, contact.first, t); };
+        const Line line = along(degree, at);
+        if (contact.second < 0)
+          lines.walls.push_back(
+              along(degree, [&](double t) { return drawn_opposite(problem, &u, drawn.shape, contact, t); }));
+        if (!presses(report.contact[i], rounding)) {
+          end();
+          lines.open.push_back(line);
+          continue;
+        }
+        side.insert(side.end(), line.begin(), line.end());
+        const Line high = along(degree, [&](double t) -> Vector<2> {
+          const double p = std::min(scene::value_on_segment(report.contact[i].pressure, t) / top, 1.0);
+          return at(t) - height * p * problem.facets[contact.first].normal;
+        });
+        heights.insert(heights.end(), high.begin(), high.end());
+      }
+      end();
     }
   }
   return lines;
 }
 
-// Half the difference of the principal stresses in the plane: it needs no stress across the plane, which an anisotropic
-// stiffness of the plane does not tell.
-float shear(const scene::Voigt<2>& s) { return static_cast<float>(std::hypot((s[0] - s[1]) / 2, s[2])); }
-
-/// How much larger displacements are drawn: the largest is about 6 % of the bodies' size. Two digits.
-double magnification(const bounds::Outcome<2>& run) {
-  double largest = 0;
-  for (const scene::Vector<2>& u : run.displacement.vertex) largest = std::max(largest, u.norm());
-  if (largest == 0) return 1;
-  const double factor = 0.06 * run.problem.length_scale / largest;
-  const double unit = std::pow(10, std::floor(std::log10(factor)) - 1);
-  return std::floor(factor / unit) * unit;
-}
-
-/// A cell's six tiles: each of its parts cut in two at the midpoint of its edge, so that curved edges look curved.
-std::array<Tile, 6> stress_tiles(const bounds::Outcome<2>& run, int cell, double factor) {
-  const scene::Mesh<2>& mesh = run.problem.mesh;
-  const auto& vertices = mesh.cells[cell];
-  const auto sigma = bounds::displacement_stress(run.problem, run.displacement, cell);
-  const int degree = run.stress.degree;
-  const auto of_displacement = [&](const std::array<double, 3>& point) {
-    return scene::value_on_triangle(sigma, scene::stress_degree(run.displacement.degree), point);
-  };
-  constexpr std::array<double, 3> centroid = {1.0 / 3, 1.0 / 3, 1.0 / 3};
-  const scene::Vector<2> centre =
-      (mesh.vertices[vertices[0]] + mesh.vertices[vertices[1]] + mesh.vertices[vertices[2]]) / 3 +
-      factor * scene::displacement_at(mesh, run.displacement, cell, centroid);
-  std::array<Tile, 6> tiles;
-  for (int part = 0; part < 3; ++part) {
-    const int a = (part + 1) % 3, b = (part + 2) % 3;
-    const auto own = scene::stress_of_part(run.stress, cell, part);
-    const std::vector<scene::Voigt<2>> lambda(own.begin(), own.end());
-    const auto mean = [&](double t, double inside) {  // of both stresses, on the part's edge or at the centroid
-      std::array<double, 3> point = {inside / 3, inside / 3, inside / 3};
-      point[a] += (1 - inside) * (1 - t);
-      point[b] += (1 - inside) * t;
-      const auto equilibrated =
-          scene::value_on_triangle(lambda, degree, {(1 - inside) * (1 - t), (1 - inside) * t, inside});
-      return shear((equilibrated + of_displacement(point)) / 2);
-    };
-    const auto moved = [&](int k) -> scene::Vector<2> {
-      return mesh.vertices[vertices[k]] + factor * run.displacement.vertex[vertices[k]];
-    };
-    std::array<double, 3> half = {0, 0, 0};
-    half[a] = half[b] = 0.5;
-    const scene::Vector<2> middle = (mesh.vertices[vertices[a]] + mesh.vertices[vertices[b]]) / 2 +
-                                    factor * scene::displacement_at(mesh, run.displacement, cell, half);
-    const float in_middle = mean(0.5, 0), in_centre = mean(0, 1);
-    tiles[2 * part] = {{moved(a), middle, centre}, {mean(0, 0), in_middle, in_centre}};
-    tiles[2 * part + 1] = {{middle, moved(b), centre}, {in_middle, mean(1, 0), in_centre}};
+void add_contact(std::vector<Layer>& layers, const ContactLines& lines) {
+  layers.push_back(lines_layer(lines.walls, "lw 3 lc rgb '#555555' notitle"));
+  if (!lines.pressed.empty()) {
+    layers.push_back(
+        {"'-' with filledcurves closed fc rgb '#ffffff' fs transparent solid 0.6 border lc rgb '#ffffff' notitle",
+         line_data(lines.pressure)});
+    layers.push_back(lines_layer(lines.pressed, "lw 4.5 lc rgb '#ff2f5f' title 'pressed'"));
   }
-  return tiles;
+  if (!lines.open.empty()) layers.push_back(lines_layer(lines.open, "lw 1.6 lc rgb '#ff2f5f' title 'open'"));
 }
 
-/// A mesh coloured by the density of what its cells have.
-Picture density_picture(const char* name, std::string caption, const char* label, const scene::Problem<2>& problem,
-                        const std::vector<double>& of_cell, const std::string& units) {
-  const scene::Mesh<2>& mesh = problem.mesh;
+/// \param whole with supports, loads, names and contact
+Picture coloured(const Report& report, const char* name, const std::string& caption, const char* label,
+                 const Measure& measure, bool whole) {
+  const Drawn shape = drawn(report.outcome);
   std::vector<Tile> tiles;
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    const auto& [a, b, c] = mesh.cells[cell];
-    const auto density = static_cast<float>(of_cell[cell] / scene::volume(mesh, cell));
-    tiles.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, {density, density, density}});
+  for (int cell = 0; cell < static_cast<int>(report.outcome.problem.mesh.cells.size()); ++cell)
+    add_tiles(tiles, shape, measure, cell);
+  const Raster raster = rasterise(tiles, longest_side);
+  Eigen::AlignedBox2d box = box_of(raster);
+  const double size = box.sizes().maxCoeff();
+  const std::vector<Line> before = outline(shape, false);
+  box = box_of(box, before);
+  std::vector<Layer> layers = {image_layer(raster), lines_layer(before, "lw 0.8 lc rgb '#aaaaaa' notitle"),
+                               lines_layer(outline(shape, true), "lw 1 lc rgb '#333333' notitle")};
+  std::string labels;
+  if (whole) {
+    const ContactLines lines = contact_lines(report, shape, 0.09 * size);
+    add_contact(layers, lines);
+    box = box_of(box, lines.walls);
+    const Symbols marks = symbols(report.outcome.problem, report.outcome.displacement, shape.shape, size);
+    layers.insert(layers.end(), marks.layers.begin(), marks.layers.end());
+    labels = marks.labels;
+    if (!marks.box.isEmpty()) box.extend(marks.box);
   }
-  Raster raster = rasterise(tiles, longest);
-  // Equal colours for the hundredth of the area with least, and for what is too small to matter.
-  const float highest = quantile(raster, 1), lowest = std::max(quantile(raster, 0.01), 1e-10f * highest);
-  for (float& value : raster.value) value = value < lowest ? lowest : value;  // NaN stays
-
-  std::vector<Line> edges;
-  for (const auto& [a, b] : mesh.edges)
-    if ((mesh.vertices[a] - mesh.vertices[b]).norm() > shortest_edge * raster.pixel)
-      edges.push_back({mesh.vertices[a], mesh.vertices[b]});
-  Picture picture = canvas(name, std::move(caption), raster, units);
-  if (lowest > 0 && highest > lowest)
-    picture.script += fmt::format("set logscale cb\nset cbrange [{}:{}]\nset format cb '10^{{%L}}'\n", lowest, highest);
-  picture.script += fmt::format("set cblabel '{}'\nplot ", label) + image_item(raster) +
-                    ", '-' with lines lw 0.4 lc rgb '#70ffffff' notitle, '-' with lines lw 1 lc rgb '#333333' notitle";
-  if (!problem.contact.empty()) picture.script += ", '-' with lines lw 2.5 lc rgb '#ff2f5f' title 'contact'";
-  picture.script += '\n';
-  picture.script += image_bytes(raster) + "\n" + line_data(edges) + line_data(outline(mesh));
-  if (!problem.contact.empty()) picture.script += line_data(contact_lines(problem));
+  Picture picture = canvas(name, fmt::format(fmt::runtime(caption), shape.shape.factor), box, report.scene.units);
+  const float highest = quantile(raster, 0.995);
+  if (highest > 0) picture.script += fmt::format("set cbrange [0:{}]\n", highest);
+  picture.script += fmt::format("set cblabel {} noenhanced\n", with_unit(label, stress_unit(report.scene.units))) +
+                    labels + plot_command(layers);
   return picture;
 }
+
+constexpr const char* measured =
+    " of the mean of both stress fields, computed, not guaranteed; the highest ½ % of the area have one colour.";
+
+double shear(int, const scene::Voigt<2>& stress) { return largest_shear(stress); }
 
 }  // namespace
 
-Picture mesh_picture(const Report& report) {
-  return density_picture("mesh",
-                         "The mesh coloured by the density of the error indicator: what each cell adds to the width, "
-                         "by its area. Contact lines are red; edges too short to be seen are left out.",
-                         "indicator by area", report.outcome.problem, report.outcome.indicator.cell,
-                         report.scene.units);
+Picture bodies_picture(const Report& report) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  const scene::Plane plane = report.scene.plane;
+  const bool across = knows_stress_across(problem, plane);
+  const Measure equivalent = [&](int body, const scene::Voigt<2>& stress) {
+    return von_mises(stress, *stress_across(problem.bodies[body].material, plane, stress));
+  };
+  std::string caption = std::string("The deformed bodies, displacements times {0:g}, coloured by the ") +
+                        (across ? "equivalent stress (von Mises)" : "largest shear stress in the plane") + measured +
+                        " Arrows: loads, at a name the body force; hatches: fixed; circles: sliding; grey: before.";
+  const bool gaps = std::ranges::any_of(
+      problem.contact, [](const scene::ContactFacet& contact) { return contact.upper != std::array<double, 3>{}; });
+  if (gaps)
+    caption +=
+        " Gaps and interferences are drawn times {0:g} as well, so that bodies touch where contact is closed and "
+        "overlap nowhere, and are apart by what is left of the gap; before, in grey, they show all of it.";
+  if (!problem.contact.empty()) caption += " Thick: the stresses press, with the pressure as a height; thin: open.";
+  return coloured(report, "stress", caption, across ? "von Mises" : "largest shear",
+                  across ? equivalent : Measure(shear), true);
 }
 
-Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment) {
-  return density_picture("error",
-                         "Where the displacement is wrong: its mesh coloured by what each cell has of the squared "
-                         "error, by its area. Contact lines are red; edges too short to be seen are left out.",
-                         "squared error by area", assessment.field.problem, assessment.cell, scene.units);
-}
-
-Picture stress_picture(const Report& report) {
-  const bounds::Outcome<2>& run = report.outcome;
-  const double factor = magnification(run);
-  std::vector<Tile> tiles;
-  for (int cell = 0; cell < static_cast<int>(run.problem.mesh.cells.size()); ++cell)
-    for (const Tile& tile : stress_tiles(run, cell, factor)) tiles.push_back(tile);
-  const Raster raster = rasterise(tiles, longest);
-  Picture picture =
-      canvas("stress",
-             fmt::format("The deformed bodies, displacements times {:g}, coloured by the largest shear stress "
-                         "in the plane, ½(σ₁ − σ₂), of the mean of both stress fields. The highest ½ % of "
-                         "the area have one colour. Grey: the bodies before.",
-                         factor),
-             raster, report.scene.units);
-  const float highest = quantile(raster, 0.995);
-  if (highest > 0) picture.script += fmt::format("set cbrange [0:{}]\n", highest);
-  picture.script += "set cblabel 'largest shear stress'\nplot '-' with lines lw 0.8 lc rgb '#aaaaaa' notitle, " +
-                    image_item(raster) + ", '-' with lines lw 1 lc rgb '#333333' notitle\n" +
-                    line_data(outline(run.problem.mesh)) + image_bytes(raster) + "\n" + line_data(outline(run, factor));
-  return picture;
+Picture shear_picture(const Report& report) {
+  return coloured(report, "shear",
+                  std::string("The same bodies, coloured by the largest shear stress in the plane, ½(σ₁ − σ₂),") +
+                      measured + " Displacements and gaps times {:g}.",
+                  "largest shear", shear, false);
 }
 
 }  // namespace bracket::apps

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "apps/plots/pictures.h"
+#include "apps/report/stresses.h"
+#include "apps/report/units.h"
 
 namespace bracket::apps {
 namespace {
@@ -52,11 +54,18 @@ std::string plot_style() {
          "set key outside top left horizontal Left reverse samplen 2 spacing 1.15\n";
 }
 
-std::string units_label(const std::string& units) {
-  if (units.empty()) return "";
-  return fmt::format(
-      "set label 999 {} at screen 0.995, screen 0.022 right noenhanced font ',11' textcolor rgb '#666666'\n",
-      quoted("units: " + units));
+namespace {
+
+std::string without_blank(const std::string& unit) { return unit.empty() ? unit : unit.substr(1); }
+
+}  // namespace
+
+std::string force_unit(const std::string& units) { return without_blank(units_of(units).force); }
+std::string length_unit(const std::string& units) { return without_blank(units_of(units).length); }
+std::string stress_unit(const std::string& units) { return without_blank(units_of(units).stress); }
+
+std::string with_unit(const std::string& what, const std::string& unit) {
+  return quoted(unit.empty() ? what : fmt::format("{} [{}]", what, unit));
 }
 
 std::string log_axis(const std::string& axis, const std::vector<double>& values) {
@@ -65,7 +74,9 @@ std::string log_axis(const std::string& axis, const std::vector<double>& values)
   std::string text = fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, from, to);
   if (to > 30 * from) return text + fmt::format("set format {0} '10^{{%L}}'\nset {0}tics autofreq\n", axis);
   std::string tics;  // decades alone would be few
-  const std::vector<int> digits = to > 6 * from ? std::vector<int>{1, 2, 5} : std::vector<int>{1, 2, 3, 4, 6, 8};
+  const std::vector<int> digits = to > 8 * from   ? std::vector<int>{1, 2, 5}
+                                  : to > 4 * from ? std::vector<int>{1, 2, 3, 5}
+                                                  : std::vector<int>{1, 2, 3, 4, 6, 8};
   for (double decade = std::pow(10, std::floor(std::log10(from))); decade <= to; decade *= 10)
     for (const int digit : digits) tics += fmt::format("{}{:g}", tics.empty() ? "" : ", ", digit * decade);
   return text + fmt::format("set format {0} '%g'\nset {0}tics ({1})\n", axis, tics);
@@ -80,8 +91,9 @@ struct Enclosed {
 };
 
 /// The ends of the meshes' intervals about the middle of the final one [lower, upper].
+/// \param one_problem of all meshes: the value is in all of their intervals; else each has its own value
 Picture closing(std::string name, std::string caption, const std::string& what, const std::vector<Enclosed>& meshes,
-                double final_lower, double final_upper) {
+                double final_lower, double final_upper, bool one_problem) {
   const double middle = final_lower + (final_upper - final_lower) / 2;
   const double size = std::max(std::abs(final_lower), std::abs(final_upper));
   double smallest = (final_upper - final_lower) / 2 / size, largest = 0;
@@ -97,8 +109,8 @@ Picture closing(std::string name, std::string caption, const std::string& what, 
   std::string band, lower, upper;
   double best_lower = -INFINITY, best_upper = INFINITY;
   for (const Enclosed& mesh : meshes) {
-    best_lower = std::max(best_lower, mesh.lower);
-    best_upper = std::min(best_upper, mesh.upper);
+    best_lower = one_problem ? std::max(best_lower, mesh.lower) : mesh.lower;
+    best_upper = one_problem ? std::min(best_upper, mesh.upper) : mesh.upper;
     const auto at = [&](double value) { return height((value - middle) / size, floor); };
     band += fmt::format("{} {} {}\n", mesh.cells, at(best_lower), at(best_upper));
     lower += fmt::format("{} {}\n", mesh.cells, at(mesh.lower));
@@ -106,8 +118,8 @@ Picture closing(std::string name, std::string caption, const std::string& what, 
     cells.push_back(mesh.cells);
   }
   const double top = highest - lowest + 1.5;
-  return {std::move(name), std::move(caption), 640, 420,
-          plot_style() + decade_tics(lowest, highest) + log_axis("x", cells) +
+  return {std::move(name), std::move(caption), 600, 400,
+          plot_style() + "set key font ',14'\n" + decade_tics(lowest, highest) + log_axis("x", cells) +
               fmt::format("set yrange [-{}:{}]\n"
                           "set xlabel 'cells'\nset ylabel 'distance by size of the {}'\n"
                           "plot '-' with filledcurves fc rgb '#cfe0ee' title '{}', "
@@ -119,21 +131,25 @@ Picture closing(std::string name, std::string caption, const std::string& what, 
                           upper, lower)};
 }
 
+constexpr const char* of_polygons = "each level's own: with arcs, each is the problem of its own polygon.";
+
 }  // namespace
 
 Picture closing_picture(const Report& report) {
   std::vector<Enclosed> meshes;
   for (const bounds::Level& level : report.outcome.levels)
     meshes.push_back({level.cells, level.bracket.lower, level.bracket.upper});
-  return closing(
-      "closing",
+  const bool one_problem = report.scene.curves.empty();
+  const std::string caption =
       "The bracket closes: lower bound (stresses) and upper bound (displacements) of each level as distances "
       "from the middle of the final interval, by the size of the energy. The exact energy lies in the shaded "
-      "band, the intersection of the levels' intervals.",
-      "energy", meshes, report.outcome.lower, report.outcome.upper);
+      "band, ";
+  return closing("closing", caption + (one_problem ? "the intersection of the levels' intervals." : of_polygons),
+                 "energy", meshes, report.outcome.lower, report.outcome.upper, one_problem);
 }
 
 std::vector<Picture> quantity_pictures(const Report& report) {
+  const bool one_problem = report.scene.curves.empty();
   std::vector<Picture> result;
   int number = 0;
   for (const bounds::QuantityInterval& one : report.outcome.quantities) {
@@ -148,9 +164,9 @@ std::vector<Picture> quantity_pictures(const Report& report) {
         closing(fmt::format("quantity_{}", number),
                 fmt::format("{}: the bounds of each mesh that it was computed on, as distances from the "
                             "middle of the final interval, by its size. The exact value lies in the shaded "
-                            "band.",
-                            one.name),
-                "quantity", meshes, one.lower, one.upper));
+                            "band{}",
+                            one.name, one_problem ? "." : std::string(", ") + of_polygons),
+                "quantity", meshes, one.lower, one.upper, one_problem));
   }
   return result;
 }
@@ -170,11 +186,10 @@ Picture error_picture(const Report& report) {
   const double order = observed_order(samples);
   std::string caption =
       "The guaranteed relative error of both fields in the energy norm, against cells and against the seconds since "
-      "the "
-      "start.";
+      "the start.";
   if (std::isfinite(order))
     caption += fmt::format(" Over the last half of the levels it goes like cells to the power {:.2f}.", order);
-  return {"error", std::move(caption), 640, 420,
+  return {"error", std::move(caption), 600, 400,
           plot_style() + "set multiplot layout 1,2\nset ylabel 'guaranteed relative error'\n" +
               error_panel("cells", cells, errors) + "unset ylabel\n" + error_panel("seconds", seconds, errors) +
               "unset multiplot\n"};
@@ -182,16 +197,17 @@ Picture error_picture(const Report& report) {
 
 std::vector<Picture> pictures(const Report& report) {
   const auto& levels = report.outcome.levels;
-  std::vector<Picture> result;
-  for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
+  std::vector<Picture> result = {bodies_picture(report)};
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
+    result.push_back(contact_picture(report, pair));
   if (levels.size() > 1) result.push_back(closing_picture(report));
+  for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
   const auto known = [](const bounds::Level& level) {
     return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
   };
   if (std::ranges::count_if(levels, known) > 1) result.push_back(error_picture(report));
+  if (knows_stress_across(report.outcome.problem, report.scene.plane)) result.push_back(shear_picture(report));
   if (!error_is_rounding(report.outcome)) result.push_back(mesh_picture(report));
-  result.push_back(stress_picture(report));
-  if (!report.outcome.problem.contact.empty()) result.push_back(contact_picture(report));
   return result;
 }
 

@@ -82,7 +82,9 @@ std::string findings_html(const Report& report) {
     rows.push_back({begins ? escaped(of) : "", escaped(what(row)), escaped(value_with_place(row, length)),
                     fmt::format("{} {}", mark(row.standing()), name(row.standing()))});
   }
-  return "<h2>Contacts, supports, bodies</h2>\n" + html_table({"of", "what", "value", "standing"}, rows, 4);
+  return "<h2>Contacts, supports, bodies</h2>\n" +
+         html_table({"of", "what", "value", "standing"}, rows, 4,
+                    "● lies in the interval for sure; ○ is a number of the computed fields");
 }
 
 }  // namespace bracket::apps

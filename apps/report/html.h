@@ -12,9 +12,10 @@ namespace bracket::apps {
 /// A text as HTML shows it, whatever it holds.
 std::string escaped(const std::string& text);
 
-/// A table; cells are HTML. The first `n_names` columns are set left, the others right, as numbers.
+/// A table; cells and caption are HTML. The first column names the rows. The first `n_names` columns are set left, the
+/// others right, as numbers.
 std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
-                       int n_names);
+                       int n_names, const std::string& caption = "");
 
 /// The scene as it was understood, all defaults filled in: bodies, boundary, contact, refinement, solution.
 std::string html_scene(const Report& report);

@@ -51,7 +51,7 @@ std::string bodies(const Report& report) {
                     fmt::format("({:.6g}, {:.6g})", force.x(), force.y()), fmt::format("{:.6g}", area),
                     fmt::to_string(cells)});
   }
-  return html_table({"body", "material", "body force", "area", "cells"}, rows, 2);
+  return html_table({"body", "material", "body force", "area", "cells"}, rows, 2, "Bodies");
 }
 
 // What is prescribed on a facet, by the support that it is.
@@ -97,7 +97,8 @@ std::string boundary(const scene::Problem<2>& problem) {
     rows.push_back({escaped(problem.mesh.parts[part]), condition(problem, part), fmt::format("{:.6g}", length),
                     fmt::to_string(edges)});
   }
-  return html_table({"boundary part", "condition, as the mesh carries it", "length", "edges"}, rows, 2);
+  return html_table({"boundary part", "condition, as the mesh carries it", "length", "edges"}, rows, 2,
+                    "Parts of the boundary");
 }
 
 std::string contact(const Report& report) {
@@ -113,7 +114,7 @@ std::string contact(const Report& report) {
     const auto& names = report.scene.contact[pair];
     rows.push_back({escaped(name(names.first)), escaped(name(names.second)), gap.text(), fmt::to_string(edges)});
   }
-  return html_table({"first side", "second side", "initial gap", "edges"}, rows, 2);
+  return html_table({"first side", "second side", "initial gap", "edges"}, rows, 2, "Contact pairs");
 }
 
 std::string settings(const scene::Scene<2>& scene) {
@@ -128,7 +129,7 @@ std::string settings(const scene::Scene<2>& scene) {
                      {"refine.max_levels", fmt::to_string(refine.max_levels)},
                      {"refine.max_cells", fmt::to_string(refine.max_cells)},
                      {"refine.max_seconds", fmt::to_string(refine.max_seconds)}},
-                    1);
+                    1, "Settings, defaults filled in");
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ std::string growth(const Report& report, const Chain& chain, std::size_t place, 
 
 }  // namespace
 
+std::string pair_name(const scene::ContactPair<2>& pair) {
+  return pair.name.empty() ? name(pair.first) + " on " + name(pair.second) : pair.name;
+}
+
 PairSummary summary(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);

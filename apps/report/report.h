@@ -32,6 +32,9 @@ struct Report {
 /// \pre at least one level, with fields; scene and outcome outlive the report, which refers to them
 Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome);
 
+/// What a contact is called: its name, or "first side on second side".
+std::string pair_name(const scene::ContactPair<2>& pair);
+
 /// The width of the run's bracket by the larger of its bounds' sizes.
 double relative_width(const bounds::Outcome<2>& outcome);
 

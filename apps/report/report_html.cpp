@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "apps/report/columns.h"
 #include "apps/report/findings.h"
@@ -37,14 +38,14 @@ std::string answer(const Report& report) {
   if (outcome.guarantee == "none")
     return "<section class=\"answer none\"><p><b>No guaranteed bounds:</b> " + escaped(outcome.reason) +
            ". The plain values of this run are in report.json.</p></section>\n";
-  const std::string lower = fmt::to_string(outcome.lower), upper = fmt::to_string(outcome.upper);
+  const Decimals energy = enclosed_in_decimals(outcome.lower, outcome.upper);
   return fmt::format(
-      "<section class=\"answer\">\n<dl class=\"bounds\"><dt>energy at least</dt><dd>{}</dd>"
-      "<dt>energy at most</dt><dd>{}</dd></dl>\n"
-      "<div class=\"facts\"><div>relative width <b>{}</b></div><div>guaranteed relative error of both fields "
-      "<b>{}</b></div><div>{} cells after {} level{}</div><div>{}</div></div>\n</section>\n",
-      bound(lower, upper), bound(upper, lower), rounded_up_exponent(relative_width(outcome)),
-      percent(outcome.relative_error_bound), outcome.levels.back().cells, outcome.levels.size(),
+      "<section class=\"answer\">\n<dl class=\"bounds\"><dt>guaranteed relative error</dt><dd><b>{}</b></dd>"
+      "<dt>energy at least</dt><dd>{}</dd><dt>energy at most</dt><dd>{}</dd></dl>\n"
+      "<div class=\"facts\"><div>of both fields, in the energy norm</div><div>relative width of the energy <b>{}</b>"
+      "</div><div>{} cells after {} level{}</div><div>{}</div></div>\n</section>\n",
+      percent(outcome.relative_error_bound), bound(energy.lower, energy.upper), bound(energy.upper, energy.lower),
+      rounded_up_exponent(relative_width(outcome)), outcome.levels.back().cells, outcome.levels.size(),
       outcome.levels.size() == 1 ? "" : "s", ending(report));
 }
 
@@ -56,9 +57,11 @@ std::string quantities(const Report& report) {
     rows.push_back({escaped(one.name), escaped(told(report, i) + (part.empty() ? "" : ", " + part)),
                     std::to_string(one.levels.empty() ? 0 : one.levels.back().cells)});
   }
-  return rows.empty() ? ""
-                      : "<h2>Quantities, between guaranteed bounds</h2>\n" +
-                            html_table({"quantity", "interval", "cells"}, rows, 2);
+  return rows.empty()
+             ? ""
+             : "<h2>Quantities, between guaranteed bounds</h2>\n" +
+                   html_table({"quantity", "interval", "cells"}, rows, 2,
+                              "The exact value lies in the interval; cells: of the last mesh it was computed on");
 }
 
 std::string scope(const Report& report) {
@@ -108,38 +111,51 @@ std::string inlined(const Drawing& drawing) {
   std::string svg = drawing.svg.substr(drawing.svg.find("<svg"));
   for (const char* reference : {"id='", "id=\"", "href='#", "url(#"})
     replace_all(svg, reference, reference + drawing.name + "-");
-  replace_all(svg, "<title>Gnuplot</title>", "");
   const std::string kind = drawing.wide ? "<figure class=\"wide\">" : "<figure>";
   return kind + svg + "<figcaption>" + escaped(drawing.caption) + "</figcaption></figure>\n";
 }
 
-std::string pictures(const Report& report, const std::vector<Drawing>& drawings) {
-  std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n";
+std::string figures(std::span<const Drawing> drawings) {
+  std::string html;
   for (const Drawing& drawing : drawings) html += inlined(drawing);
-  html += "</div>\n";
+  return html.empty() ? "" : "<div class=\"pictures\">\n" + html + "</div>\n";
+}
+
+/// The answer in two pictures, what it says, and the other pictures.
+std::string pictures(const Report& report, std::span<const Drawing> drawings) {
+  const std::size_t first = std::min<std::size_t>(2, drawings.size());
+  std::string html = figures(drawings.first(first)) + scope(report);
+  if (drawings.size() > first)
+    html += "<h2>How the bounds close, and where the error is</h2>\n" + figures(drawings.subspan(first));
   if (error_is_rounding(report.outcome)) html += "<p>The error is rounding: there is no picture of where it is.</p>\n";
   for (const std::string& line : report.missing) html += "<p>Missing: " + escaped(line) + ".</p>\n";
   return html;
 }
 
 std::string levels(const Report& report) {
-  auto rows = level_rows(report, {{"cells", {"cells"}},
-                                  {"displacement unknowns", {"primal_dofs"}},
-                                  {"stress unknowns", {"dual_dofs"}},
-                                  {"lower bound", {"lower"}},
-                                  {"upper bound", {"upper"}},
-                                  {"relative error", {"relative_error_bound"}},
-                                  {"closed rows, displacements", {"contact_active", "contact_rows"}},
-                                  {"closed rows, stresses", {"contact_dual_active", "contact_dual_rows"}},
-                                  {"seconds since start", {"seconds_elapsed"}}});
-  const std::vector<std::string> head = rows[0];
-  rows.erase(rows.begin());
-  return "<h2>Levels</h2>\n" + html_table(head, rows, 0);
+  Rows rows;
+  for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
+    const bounds::Level& level = report.outcome.levels[i];
+    const bool enclosed = std::isfinite(level.bracket.lower) && std::isfinite(level.bracket.upper) &&
+                          level.bracket.lower <= level.bracket.upper;
+    const Decimals energy =
+        enclosed ? enclosed_in_decimals(level.bracket.lower, level.bracket.upper) : Decimals{"none", "none"};
+    const auto closed = [](const contact::Statistics& of) { return fmt::format("{} / {}", of.active_rows, of.rows); };
+    rows.push_back({fmt::to_string(i), fmt::to_string(level.cells), fmt::to_string(level.primal.unknowns),
+                    fmt::to_string(level.dual.unknowns), energy.lower, energy.upper,
+                    percent(level.bracket.relative_error_bound), closed(level.primal), closed(level.dual),
+                    fmt::format("{:.2f}", report.around[i].elapsed)});
+  }
+  return "<h2>Levels</h2>\n" +
+         html_table({"level", "cells", "unknowns, displace&shy;ments", "unknowns, stresses", "energy at least",
+                     "energy at most", "relative error", "closed, displace&shy;ments", "closed, stresses", "seconds"},
+                    rows, 0,
+                    "Bounds of each mesh, guaranteed; closed: rows of contact by all rows; seconds since the start");
 }
 
 std::string seconds(const Report& report) {
   const auto in_all = [&](const std::string& column) { return fmt::format("{:.2f}", sum(column, report)); };
-  std::vector<std::string> head = {"seconds, all levels"};
+  std::vector<std::string> head = {"formulation"};
   head.insert(head.end(), phase_names.begin(), phase_names.end());
   head.push_back("all");
   const auto row = [&](const char* name, const std::string& formulation) {
@@ -149,7 +165,8 @@ std::string seconds(const Report& report) {
     return cells;
   };
   return "<h2>Where the time went</h2>\n" +
-         html_table(head, {row("displacements", "primal"), row("stresses", "dual")}, 1) +
+         html_table(head, {row("displacements", "primal"), row("stresses", "dual")}, 1,
+                    "Seconds of each formulation, by stage, all levels together") +
          fmt::format(
              "<p>The two run side by side. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, quantities {}, "
              "write {}, pictures "
@@ -166,7 +183,7 @@ std::string checks(const bounds::Checks& checks) {
                     passed ? "ok" : "<span class=\"failed\">large</span>"});
   }
   return "<h2>Checks of the fields as computed, before the certificate</h2>\n" +
-         html_table({"check", "meaning", "worst value", ""}, rows, 2) +
+         html_table({"check", "meaning", "worst value", "verdict"}, rows, 2, "Of the last level") +
          fmt::format("<p>By the size of the scene's stresses, displacements or energy; limit {:g}.</p>\n",
                      bounds::Checks::tolerance);
 }
@@ -193,7 +210,7 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
   if (guaranteed) html += quantities(report);
   html += answer(report);
   html += findings_html(report);
-  if (guaranteed) html += scope(report) + pictures(report, drawings) + levels(report);
+  if (guaranteed) html += pictures(report, drawings) + levels(report);
   html += seconds(report) + checks(outcome.levels.back().checks);
   html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);
   html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);

@@ -34,12 +34,18 @@ std::vector<double> samples(const std::vector<double>& coefficients) {
   return values;
 }
 
-std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
-  const auto ends = [&](int i) { return problem.mesh.boundary[problem.contact[i].first].vertices; };
+std::vector<std::array<int, 3>> facets_of_cells(const scene::Mesh<2>& mesh) {
+  std::vector<std::array<int, 3>> result(mesh.cells.size(), {-1, -1, -1});
+  for (int i = 0; i < static_cast<int>(mesh.boundary.size()); ++i)
+    result[mesh.boundary[i].cell][mesh.boundary[i].local] = i;
+  return result;
+}
+
+std::vector<Chain> chained(const scene::Mesh<2>& mesh, const std::vector<int>& facets) {
+  const auto ends = [&](int i) { return mesh.boundary[facets[i]].vertices; };
   std::map<int, int> beginning_at;  // vertex: the facet that begins there
   std::set<int> followed;           // vertices at which a facet ends
-  for (int i = 0; i < static_cast<int>(problem.contact.size()); ++i) {
-    if (problem.contact[i].pair != pair) continue;
+  for (int i = 0; i < static_cast<int>(facets.size()); ++i) {
     beginning_at.emplace(ends(i)[0], i);
     followed.insert(ends(i)[1]);
   }
@@ -56,6 +62,19 @@ std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
     }
     result.push_back(chain);
   }
+  return result;
+}
+
+std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
+  std::vector<int> contacts, facets;
+  for (int i = 0; i < static_cast<int>(problem.contact.size()); ++i) {
+    if (problem.contact[i].pair != pair) continue;
+    contacts.push_back(i);
+    facets.push_back(problem.contact[i].first);
+  }
+  std::vector<Chain> result = chained(problem.mesh, facets);
+  for (Chain& chain : result)
+    for (int& i : chain) i = contacts[i];
   return result;
 }
 

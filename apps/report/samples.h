@@ -18,9 +18,14 @@ std::vector<double> displacement_pressure(const scene::Problem<2>& problem, cons
 /// them look like it.
 std::vector<double> samples(const std::vector<double>& coefficients);
 
-/// Contact facets of one pair that follow one another along its first side.
-using Chain = std::vector<int>;  ///< indices into Problem::contact
-/// A pair as one chain per connected piece; a closed one begins anywhere.
+/// Of each cell its boundary facets, in the order of Simplex::facets; −1: none.
+std::vector<std::array<int, 3>> facets_of_cells(const scene::Mesh<2>& mesh);
+
+/// Facets that follow one another along the boundary, by their indices in some list.
+using Chain = std::vector<int>;
+/// Boundary facets as one chain per connected piece; a closed one begins anywhere. Of indices into `facets`.
+std::vector<Chain> chained(const scene::Mesh<2>& mesh, const std::vector<int>& facets);
+/// The first side of a pair, likewise. Of indices into Problem::contact.
 std::vector<Chain> chains(const scene::Problem<2>& problem, int pair);
 
 /// The pressure up to which a contact facet of a pair is open but for rounding errors of λ_h: by the pair's largest

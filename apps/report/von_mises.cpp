@@ -4,26 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
 #include <tuple>
+
+#include "apps/report/stresses.h"
 
 namespace bracket::apps {
 namespace {
 
 using scene::Voigt;
-
-/// σ_zz by σ_xx + σ_yy; nothing: it is not known.
-std::optional<double> across(const scene::Material<2>& material, scene::Plane plane) {
-  if (plane == scene::Plane::stress) return 0;
-  if (!material.constants()) return std::nullopt;
-  return material.constants()->poisson;
-}
-
-double von_mises(const Voigt<2>& s, double z) {
-  return std::sqrt((std::pow(s[0] - s[1], 2) + std::pow(s[1] - z, 2) + std::pow(z - s[0], 2)) / 2 +
-                   3 * std::pow(s[2], 2));
-}
 
 /// A point of one of a cell's parts: its barycentric coordinates in the cell, and how the coefficients count there.
 struct SamplePoint {
@@ -61,8 +49,8 @@ LargestVonMises largest_von_mises(const Report& report) {
   const auto points = sample_points(scene::stress_degree(displacement.degree), stress.degree);
   LargestVonMises largest;
   for (int cell = 0; cell < static_cast<int>(problem.mesh.cells.size()); ++cell) {
-    const auto ratio = across(scene::body_of(problem, cell).material, report.scene.plane);
-    if (!ratio) {
+    const scene::Material<2>& material = scene::body_of(problem, cell).material;
+    if (!stress_across(material, report.scene.plane, Voigt<2>::Zero())) {
       largest.of_all = false;
       continue;
     }
@@ -71,7 +59,7 @@ LargestVonMises largest_von_mises(const Report& report) {
       const auto lambda = scene::stress_of_part(stress, cell, part);
       for (const SamplePoint& point : points[part]) {
         const Voigt<2> mean = (weighted(point.of_cell, sigma) + weighted(point.of_part, lambda)) / 2;
-        const double own = von_mises(mean, *ratio * (mean[0] + mean[1]));
+        const double own = von_mises(mean, *stress_across(material, report.scene.plane, mean));
         if (own <= largest.value) continue;
         largest.value = own;
         largest.at.setZero();

@@ -3,117 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <bit>
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <span>
+#include <limits>
 #include <utility>
 
 #include "apps/report/assessment.h"
+#include "apps/report/deformed.h"
 #include "apps/report/samples.h"
+#include "apps/report/stresses.h"
+#include "apps/report/vtk_file.h"
 #include "scene/offsets.h"
 
 namespace bracket::apps {
-namespace {
-
-static_assert(std::endian::native == std::endian::little, "the files say that they are little-endian");
-
-struct Array {
-  std::string name;
-  std::string type;                     // as VTK calls it
-  std::vector<std::string> components;  // their names; one without name: a scalar
-  std::string bytes;
-};
-
-struct Grid {
-  int cell_type;  // VTK's number
-  int points_per_cell;
-  std::vector<double> points;  // x, y, z of each; the points of a cell follow one another and are its own
-  std::vector<Array> point_data;
-  std::vector<Array> cell_data;
-};
-
-template <typename Number>
-Array array(std::string name, const char* type, const std::vector<Number>& values,
-            std::vector<std::string> components = {""}) {
-  std::string bytes(values.size() * sizeof(Number), '\0');
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return {std::move(name), type, std::move(components), std::move(bytes)};
-}
-
-// The element that announces an array whose bytes begin at `offset` of the appended data.
-std::string announce(const Array& data, std::size_t offset) {
-  std::string components;
-  if (data.components.size() > 1) {
-    components = fmt::format(R"( NumberOfComponents="{}")", data.components.size());
-    for (std::size_t i = 0; i < data.components.size(); ++i)
-      components += fmt::format(R"( ComponentName{}="{}")", i, data.components[i]);
-  }
-  return fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset="{}"/>)"
-                     "\n",
-                     data.type, data.name, components, offset);
-}
-
-// The arrays of VTK's three obligatory sections: where the points are, and which of them make a cell.
-std::vector<Array> topology(const Grid& grid) {
-  const std::size_t n_points = grid.points.size() / 3;
-  const std::size_t n_cells = n_points / grid.points_per_cell;
-  std::vector<std::int32_t> connectivity(n_points), offsets(n_cells);
-  for (std::size_t i = 0; i < n_points; ++i) connectivity[i] = static_cast<std::int32_t>(i);
-  for (std::size_t i = 0; i < n_cells; ++i) offsets[i] = static_cast<std::int32_t>((i + 1) * grid.points_per_cell);
-  return {array("Points", "Float64", grid.points, {"x", "y", "z"}), array("connectivity", "Int32", connectivity),
-          array("offsets", "Int32", offsets),
-          array("types", "UInt8", std::vector<std::uint8_t>(n_cells, static_cast<std::uint8_t>(grid.cell_type)))};
-}
-
-std::string vtu(const Grid& grid) {
-  const std::vector<Array> shape = topology(grid);
-  const std::size_t n_points = grid.points.size() / 3;
-  std::string header, data;
-  std::vector<const Array*> order;  // of the appended data
-  std::size_t offset = 0;
-  const auto section = [&](const std::string& name, std::span<const Array> arrays) {
-    header += fmt::format("<{}>\n", name);
-    for (const Array& each : arrays) {
-      header += announce(each, offset);
-      offset += sizeof(std::uint64_t) + each.bytes.size();
-      order.push_back(&each);
-    }
-    header += fmt::format("</{}>\n", name);
-  };
-  header = fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      n_points, n_points / grid.points_per_cell);
-  section("Points", std::span(shape).first(1));
-  section("Cells", std::span(shape).subspan(1));
-  section("PointData", grid.point_data);
-  section("CellData", grid.cell_data);
-  header += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-
-  const std::string end = "\n</AppendedData>\n</VTKFile>\n";
-  std::string file;
-  file.reserve(header.size() + offset + end.size());
-  file += header;
-  for (const Array* each : order) {
-    const std::uint64_t size = each->bytes.size();
-    file.append(reinterpret_cast<const char*>(&size), sizeof size);
-    file += each->bytes;
-  }
-  return file += end;
-}
-
-void append(std::vector<float>& values, const scene::Voigt<2>& stress) {
-  for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(stress[i]));
-}
-
-void append(std::vector<double>& points, const scene::Vector<2>& point) {
-  points.insert(points.end(), {point.x(), point.y(), 0.0});
-}
-
-}  // namespace
-
 namespace {
 
 /// The points of VTK's triangle of an order, barycentric: corners, then those inside of its sides, then those inside.
@@ -137,6 +39,8 @@ std::vector<std::array<double, 3>> points_of(int order) {
 struct Weights {
   std::array<double, 3> corner;
   std::vector<double> displacement, of_displacement, equilibrated;
+  bool on_facet;  ///< the part's
+  double along;   ///< from that one's vertex 0 to its vertex 1, if it is on it
 };
 
 /// Of the points of a part's lattice, for each part.
@@ -149,7 +53,7 @@ std::array<std::vector<Weights>, 3> weights_of(const std::vector<std::array<doub
       for (int corner = 0; corner < 2; ++corner) point[scene::Simplex<2>::facets[part][corner]] += of_part[corner];
       result[part].push_back({point, scene::bernstein_values(degree, point),
                               scene::bernstein_values(scene::stress_degree(degree), point),
-                              scene::bernstein_values(stress_degree, of_part)});
+                              scene::bernstein_values(stress_degree, of_part), of_part[2] == 0, of_part[1]});
     }
   return result;
 }
@@ -163,74 +67,153 @@ template <class Factors, class Values> auto sum(const Factors& factors, const Va
 /// VTK's numbers for triangles: linear, quadratic, Lagrange's of the order that its points tell.
 int cell_type(int order) { return order == 1 ? 5 : order == 2 ? 22 : 69; }
 
+const std::vector<std::string> tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};  // as VTK has symmetric ones
+
+/// The stresses at points, both of them and what is told of their mean.
+struct Stresses {
+  std::vector<double> of_displacement, equilibrated, von_mises, principal;
+};
+
+void add_stresses(Stresses& stresses, const Report& report, int body, const scene::Voigt<2>& of_displacement,
+                  const scene::Voigt<2>& equilibrated) {
+  const scene::Material<2>& material = report.outcome.problem.bodies[body].material;
+  const auto across = [&](const scene::Voigt<2>& s) {
+    return stress_across(material, report.scene.plane, s).value_or(std::numeric_limits<double>::quiet_NaN());
+  };
+  const auto add = [&](std::vector<double>& values, const scene::Voigt<2>& s) {
+    values.insert(values.end(), {s[0], s[1], across(s), s[2], 0, 0});
+  };
+  add(stresses.of_displacement, of_displacement);
+  add(stresses.equilibrated, equilibrated);
+  const scene::Voigt<2> mean = (of_displacement + equilibrated) / 2;
+  stresses.von_mises.push_back(von_mises(mean, across(mean)));
+  const auto [larger, smaller] = principal_stresses(mean);
+  stresses.principal.insert(stresses.principal.end(), {larger, smaller});
+}
+
+/// What holds of a run so far: names, units, bounds.
+std::vector<VtkField> about(const Report& report, double drawn_factor) {
+  const bounds::Outcome<2>& outcome = report.outcome;
+  std::vector<VtkField> fields = {{"title", {}, 1, {report.scene.title}},
+                                  {"units", {}, 1, {report.scene.units}},
+                                  {"guarantee", {}, 1, {outcome.guarantee}},
+                                  {"energy", {outcome.lower, outcome.upper}, 2},
+                                  {"relative_error_bound", {outcome.relative_error_bound}},
+                                  {"drawn_factor", {drawn_factor}},
+                                  {"body_names", {}, 1, outcome.problem.mesh.bodies}};
+  VtkField pairs{"pair_names", {}, 1}, names{"quantity_names", {}, 1}, quantities{"quantities", {}, 2};
+  for (const auto& pair : report.scene.contact) pairs.texts.push_back(pair_name(pair));
+  for (const bounds::QuantityInterval& each : outcome.quantities) {
+    names.texts.push_back(each.name);
+    quantities.numbers.insert(quantities.numbers.end(), {each.lower, each.upper});
+  }
+  fields.insert(fields.end(), {pairs, names, quantities});
+  return fields;
+}
+
+DrawnShape shape_of(const Report& report) {
+  return drawn_shape(report.outcome.problem, magnification(report.outcome.problem, report.outcome.displacement));
+}
+
+void append(std::vector<float>& values, const scene::Vector<2>& vector) {
+  values.insert(values.end(), {static_cast<float>(vector.x()), static_cast<float>(vector.y()), 0.0F});
+}
+
 }  // namespace
 
-std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                         const scene::Stress<2>& stress, const bounds::Indicator& indicator) {
+std::string solution_vtu(const Report& report) {
+  const scene::Problem<2>& problem = report.outcome.problem;
+  const scene::Displacement<2>& displacement = report.outcome.displacement;
+  const scene::Stress<2>& stress = report.outcome.stress;
   const scene::Mesh<2>& mesh = problem.mesh;
   const auto lattice = points_of(displacement.degree);
-  Grid grid{.cell_type = cell_type(displacement.degree),
-            .points_per_cell = static_cast<int>(lattice.size()),
-            .points = {},
-            .point_data = {},
-            .cell_data = {}};
-  std::vector<float> displacements, of_displacement, equilibrated, share, density;
+  VtkGrid grid{.cell_type = cell_type(displacement.degree), .points_per_cell = static_cast<int>(lattice.size())};
+  std::vector<double> displacements, share, density;
+  std::vector<float> drawn;
+  Stresses stresses;
   std::vector<std::int32_t> body;
+  const DrawnShape shape = shape_of(report);
+  const auto facets = facets_of_cells(mesh);
   grid.points.reserve(9 * lattice.size() * mesh.cells.size());
-  for (auto* each : {&displacements, &of_displacement, &equilibrated})
-    each->reserve(9 * lattice.size() * mesh.cells.size());
+  displacements.reserve(9 * lattice.size() * mesh.cells.size());
   const auto weights = weights_of(lattice, displacement.degree, stress.degree);
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     const auto sigma = bounds::displacement_stress(problem, displacement, cell);
     const auto offset = scene::offsets_on_cell(mesh, displacement, cell);
     const auto x = scene::positions(mesh, mesh.cells[cell]);
-    std::array<scene::Vector<2>, 3> moved;
-    for (int k = 0; k < 3; ++k) moved[k] = displacement.vertex[mesh.cells[cell][k]];
+    std::array<scene::Vector<2>, 3> moved, shifted;
+    for (int k = 0; k < 3; ++k) {
+      moved[k] = displacement.vertex[mesh.cells[cell][k]];
+      shifted[k] = shape.shift[mesh.cells[cell][k]];
+    }
     for (int part = 0; part < 3; ++part) {
       const auto lambda = scene::stress_of_part(stress, cell, part);
       for (const Weights& weight : weights[part]) {
         const scene::Vector<2> u = sum(weight.corner, moved) + sum(weight.displacement, offset);
         append(grid.points, sum(weight.corner, x));
-        append(displacements, {u.x(), u.y(), 0.0});
-        append(of_displacement, sum(weight.of_displacement, sigma));
-        append(equilibrated, sum(weight.equilibrated, lambda));
+        append(displacements, u);
+        scene::Vector<2> to = shape.factor * u + sum(weight.corner, shifted);
+        if (const int facet = facets[cell][part]; facet >= 0 && weight.on_facet)
+          to += beside(problem, shape, facet, weight.along);
+        append(drawn, to);
+        add_stresses(stresses, report, mesh.cell_body[cell], sum(weight.of_displacement, sigma),
+                     sum(weight.equilibrated, lambda));
       }
       body.push_back(mesh.cell_body[cell]);
-      share.push_back(static_cast<float>(indicator.cell[cell]));
-      density.push_back(static_cast<float>(indicator.cell[cell] / scene::volume(mesh, cell)));
+      share.push_back(report.outcome.indicator.cell[cell]);
+      density.push_back(share.back() / scene::volume(mesh, cell));
     }
   }
-  const std::vector<std::string> voigt = {"xx", "yy", "xy"};
-  grid.point_data = {array("displacement", "Float32", displacements, {"x", "y", "z"}),
-                     array("stress_displacement", "Float32", of_displacement, voigt),
-                     array("stress_equilibrated", "Float32", equilibrated, voigt)};
-  grid.cell_data = {array("body", "Int32", body), array("indicator", "Float32", share),
-                    array("indicator_density", "Float32", density)};
+  grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"}),
+                     vtk_array("drawn", "Float32", drawn, {"x", "y", "z"}),
+                     vtk_array("stress_displacement", "Float64", stresses.of_displacement, tensor),
+                     vtk_array("stress_equilibrated", "Float64", stresses.equilibrated, tensor),
+                     vtk_array("von_mises", "Float64", stresses.von_mises),
+                     vtk_array("principal", "Float64", stresses.principal, {"larger", "smaller"})};
+  grid.cell_data = {vtk_array("body", "Int32", body), vtk_array("indicator", "Float64", share),
+                    vtk_array("indicator_density", "Float64", density)};
+  grid.field_data = about(report, shape.factor);
   return vtu(grid);
 }
 
-std::string contact_vtu(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact,
-                        const bounds::Indicator& indicator) {
+std::string contact_vtu(const Report& report) {
+  const scene::Problem<2>& problem = report.outcome.problem;
   const scene::Mesh<2>& mesh = problem.mesh;
-  std::size_t pieces = 1;  // of a facet: as fine as the pressures need
-  for (const auto& state : contact) pieces = std::max(pieces, samples(state.pressure).size() - 1);
-  Grid grid{.cell_type = 3, .points_per_cell = 2, .points = {}, .point_data = {}, .cell_data = {}};
-  std::vector<float> pressure, gap, share;
+  VtkGrid grid{.cell_type = 3, .points_per_cell = 2};  // ParaView 5.11 does not survive quadratic lines
+  std::size_t pieces = 1;                              // of a facet: as fine as gaps and pressures need
+  for (const auto& state : report.contact)
+    pieces = std::max({pieces, samples(state.gap_left).size() - 1, samples(state.pressure).size() - 1});
+  std::vector<double> displacements, pressure, of_displacement, gap, share;
+  std::vector<float> drawn;
   std::vector<std::int32_t> pair;
-  for (std::size_t facet = 0; facet < problem.contact.size(); ++facet) {
-    const auto& [a, b] = scene::positions(mesh, mesh.boundary[problem.contact[facet].first].vertices);
-    for (std::size_t piece = 0; piece < pieces; ++piece)
-      for (std::size_t end = 0; end < 2; ++end) {
-        const double t = static_cast<double>(piece + end) / static_cast<double>(pieces);
-        append(grid.points, (1 - t) * a + t * b);
-        pressure.push_back(static_cast<float>(scene::value_on_segment(contact[facet].pressure, t)));
-        gap.push_back(static_cast<float>(scene::value_on_segment(contact[facet].gap_left, t)));
-      }
-    pair.insert(pair.end(), pieces, problem.contact[facet].pair);
-    share.insert(share.end(), pieces, static_cast<float>(indicator.contact[facet]));
+  const DrawnShape shape = shape_of(report);
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    const int facet = problem.contact[i].first;
+    const auto& [a, b] = scene::positions(mesh, mesh.boundary[facet].vertices);
+    const std::vector<double> pushed = displacement_pressure(problem, report.outcome.displacement, facet);
+    const auto& [from, to] = scene::Simplex<2>::facets[mesh.boundary[facet].local];
+    for (std::size_t k = 0; k < 2 * pieces; ++k) {  // both ends of each piece
+      const double t = static_cast<double>((k + 1) / 2) / static_cast<double>(pieces);
+      const scene::Vector<2> x = (1 - t) * a + t * b;
+      append(grid.points, x);
+      append(drawn, drawn_on_facet(problem, &report.outcome.displacement, shape, facet, t) - x);
+      std::array<double, 3> point = {0, 0, 0};
+      point[from] = 1 - t;
+      point[to] = t;
+      append(displacements,
+             scene::displacement_at(mesh, report.outcome.displacement, mesh.boundary[facet].cell, point));
+      pressure.push_back(scene::value_on_segment(report.contact[i].pressure, t));
+      of_displacement.push_back(scene::value_on_segment(pushed, t));
+      gap.push_back(scene::value_on_segment(report.contact[i].gap_left, t));
+    }
+    pair.insert(pair.end(), pieces, problem.contact[i].pair);
+    share.insert(share.end(), pieces, report.outcome.indicator.contact[i] / static_cast<double>(pieces));
   }
-  grid.point_data = {array("pressure", "Float32", pressure), array("gap", "Float32", gap)};
-  grid.cell_data = {array("pair", "Int32", pair), array("indicator", "Float32", share)};
+  grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"}),
+                     vtk_array("drawn", "Float32", drawn, {"x", "y", "z"}), vtk_array("pressure", "Float64", pressure),
+                     vtk_array("pressure_displacement", "Float64", of_displacement), vtk_array("gap", "Float64", gap)};
+  grid.cell_data = {vtk_array("pair", "Int32", pair), vtk_array("indicator", "Float64", share)};
+  grid.field_data = about(report, shape.factor);
   return vtu(grid);
 }
 
@@ -238,11 +221,7 @@ std::string assessment_vtu(const bounds::Assessment& assessment) {
   const scene::Mesh<2>& mesh = assessment.field.problem.mesh;
   const scene::Displacement<2>& u = assessment.field.given.displacement;
   const bool quadratic = u.degree == 2;
-  Grid grid{.cell_type = quadratic ? 22 : 5,
-            .points_per_cell = quadratic ? 6 : 3,
-            .points = {},
-            .point_data = {},
-            .cell_data = {}};
+  VtkGrid grid{.cell_type = quadratic ? 22 : 5, .points_per_cell = quadratic ? 6 : 3};
   std::vector<double> displacements, share, density;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     const auto& vertices = mesh.cells[cell];
@@ -258,9 +237,9 @@ std::string assessment_vtu(const bounds::Assessment& assessment) {
     share.push_back(assessment.cell[cell]);
     density.push_back(assessment.cell[cell] / scene::volume(mesh, static_cast<int>(cell)));
   }
-  grid.point_data = {array("displacement", "Float64", displacements, {"x", "y", "z"})};
-  grid.cell_data = {array("body", "Int32", std::vector<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
-                    array("error_squared", "Float64", share), array("error_density", "Float64", density)};
+  grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"})};
+  grid.cell_data = {vtk_array("body", "Int32", std::vector<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
+                    vtk_array("error_squared", "Float64", share), vtk_array("error_density", "Float64", density)};
   return vtu(grid);
 }
 

@@ -4,22 +4,32 @@
 #include <string>
 #include <vector>
 
-#include "bounds/bounds.h"
+#include "apps/report/report.h"
 
 /// Results as files that ParaView opens: VTK XML, unstructured grids, appended raw data.
 namespace bracket::apps {
 
-/// The fields on the three parts of each cell, each part a triangle with points of its own, because stresses jump.
-/// Point data: displacement (x, y, 0), stress_displacement σ(u_h) and stress_equilibrated λ_h (xx, yy, xy). Cell data:
-/// body (index), indicator (the cell's term of the gap identity, the same on its three parts) and indicator_density
-/// (that term by the area of the cell).
-std::string solution_vtu(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                         const scene::Stress<2>& stress, const bounds::Indicator& indicator);
+/// The fields on the three parts of each cell, each part a triangle with points of its own, because stresses jump: a
+/// linear, quadratic or Lagrange's triangle of the displacements' degree. All numbers are double.
+/// Point data: displacement (x, y, 0); drawn, the way from each point to where pictures have it (deformed.h; single
+/// precision); stress_displacement σ(u_h) and stress_equilibrated λ_h as symmetric tensors (xx, yy, zz, xy, yz, xz), zz
+/// not a number where a stiffness of the plane does not tell it; of their mean von_mises (likewise) and
+/// principal, the two principal stresses in the plane, the larger first. Cell data: body (index), indicator (the cell's
+/// term of the gap identity, the same on its three parts) and indicator_density (that term by the area of the cell).
+/// Field data: title, units, guarantee, energy (lower, upper), relative_error_bound, drawn_factor (by which drawn has
+/// displacements and gaps magnified), body_names, pair_names,
+/// quantity_names, quantities (lower, upper of each).
+std::string solution_vtu(const Report& report);
 
-/// Each contact facet as a line with points of its own, at its place on the first side. Point data: pressure (of λ_h)
-/// and gap (what u_h leaves of it, g − r). Cell data: pair (index) and indicator.
-std::string contact_vtu(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact,
-                        const bounds::Indicator& indicator);
+/// Each contact facet, at its place on the first side, as lines so short that fields look as they are. Point data:
+/// displacement of the first side, drawn, pressure (of λ_h), pressure_displacement (of σ(u_h) on the first side) and
+/// gap (what u_h leaves of it, g − r). Cell data: pair (index) and indicator (the facet's, shared out). Field data: as
+/// above.
+std::string contact_vtu(const Report& report);
+
+/// A script for ParaView that opens the collection beside it: bodies and contact lines where pictures have them,
+/// coloured by von Mises stress and pressure.
+std::string paraview_view(const Report& report);
 
 /// A ParaView collection of solution_k.vtu and, with a contact, contact_k.vtu of the levels k from `first` on, which
 /// stand for time.

@@ -133,30 +133,44 @@ std::string extremes_json(const scene::Scene<2>& scene, const Extremes& extremes
 bool has_picture(const Extremes& extremes) { return std::ranges::any_of(extremes.rows, has_width); }
 
 Picture extremes_picture(const Extremes& extremes) {
-  std::vector<double> parameters, widths;
-  std::string items, data;
-  int curves = 0;
+  struct Panel {
+    std::string sweep, data;
+    std::vector<double> parameters;
+  };
+  std::vector<Panel> panels;
+  std::vector<double> widths;
   for (const Extreme& row : extremes.rows) {
     if (!has_width(row)) continue;
-    const bool begins = items.find(quoted(row.sweep)) == std::string::npos;
-    if (begins) {
-      constexpr int colours = 6;  // that are told apart; then they begin anew, dashed
-      items += fmt::format("{}'-' with linespoints lw 2 ps 0.7 pt 7 lc {} dt {} title {}", curves > 0 ? ", " : "",
-                           1 + curves % colours, curves < colours ? "1" : "(6,4)", quoted(row.sweep));
-      ++curves;
-      data += data.empty() ? "" : "e\n";
-    }
-    parameters.push_back(row.parameter);
+    if (panels.empty() || panels.back().sweep != row.sweep) panels.push_back({row.sweep, "", {}});
     widths.push_back(row.interval->relative_width());
-    data += fmt::format("{} {}\n", parameters.back(), widths.back());
+    panels.back().parameters.push_back(row.parameter);
+    panels.back().data += fmt::format("{} {}\n", row.parameter, widths.back());
+  }
+  constexpr int columns = 3;
+  const int lines = (static_cast<int>(panels.size()) + columns - 1) / columns;
+  const double benign = extremes.benign.relative_width();
+  if (benign > 0) widths.push_back(benign);
+  const int height = 20 + 200 * lines;
+  std::string script = plot_style() + "unset key\n" + log_axis("y", widths) +
+                       fmt::format(
+                           "set xtics font ',12'\nset ytics font ',12'\nunset mxtics\nunset mytics\n"
+                           "set multiplot layout {},{} margins 0.12,0.98,{:.4f},{:.4f} spacing 0.09,{:.4f}\n",
+                           lines, columns, 35.0 / height, 1 - 35.0 / height, 65.0 / height);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Panel& panel = panels[i];
+    script += std::string(i % columns == 0 ? "set ylabel 'relative width' font ',13'\n" : "unset ylabel\n");
+    script += fmt::format("set title {} noenhanced font ',14' offset 0,-0.4\n", quoted(panel.sweep)) +
+              log_axis("x", panel.parameters) + "plot ";
+    if (benign > 0) script += fmt::format("{} with lines lw 1.2 dt (4,4) lc rgb '#888888', ", benign);
+    script += fmt::format("'-' with linespoints lw 2 ps 0.6 pt 7 lc rgb '{}'\n{}e\n", stress_colour, panel.data);
   }
   return {"extremes",
-          "The relative width of the guaranteed interval against the parameter that goes to its limit, a curve per "
-          "sweep.",
-          900, 560,
-          plot_style() + "set key outside right top vertical\n" + log_axis("x", parameters) + log_axis("y", widths) +
-              fmt::format("set xlabel 'parameter'\nset ylabel 'relative width of the interval'\nplot {}\n{}e\n", items,
-                          data)};
+          "The relative width of the guaranteed interval against the parameter that goes to its limit, a panel per "
+          "sweep, all in one measure. Dashed: the scene as it is.",
+          900,
+          height,
+          script + "unset multiplot\n",
+          true};
 }
 
 }  // namespace bracket::apps

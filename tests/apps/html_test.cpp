@@ -3,6 +3,7 @@
 #include <regex>
 #include <set>
 
+#include "apps/report/quantities.h"
 #include "tests/apps/command.h"
 
 namespace bracket::apps::tests {
@@ -36,14 +37,27 @@ TEST_F(Html, RefersToNothingOutsideOfItself) {
   std::set<std::string> ids;
   for (const std::string& id : all(html, R"re( id=['"]([^'"]*)['"])re")) EXPECT_TRUE(ids.insert(id).second) << id;
   for (const std::string& id : all(html, R"re(href=['"]#([^'"]*)['"])re")) EXPECT_TRUE(ids.contains(id)) << id;
-  EXPECT_EQ(all(html, "(<svg)").size(), 5u);
+  EXPECT_EQ(all(html, "(<svg)").size(), 6u);
+}
+
+TEST_F(Html, TellsWhatPicturesAndTablesAre) {
+  const std::string html = page();
+  const std::size_t pictures = all(html, "(<svg)").size();
+  EXPECT_EQ(all(html, R"re(<svg role="img" aria-label="([^"]{20,})")re").size(), pictures);
+  EXPECT_EQ(all(html.substr(html.find("<body>")), "(<title)").size(), 0u);  // gnuplot's, shown at a pointer
+  const std::size_t tables = all(html, "(<table)").size();
+  EXPECT_GE(tables, 7u);
+  EXPECT_EQ(all(html, "(<caption>)[^<]").size(), tables);
+  EXPECT_EQ(all(html, R"re((<th)[ >])re").size(), all(html, R"re(<th scope="(col|row)")re").size());
+  EXPECT_EQ(all(html, "(N, mm, MPa)").size(), 1u);
 }
 
 TEST_F(Html, TellsTheIntervalTheChecksAndTheScene) {
   const std::string html = page();
   const std::string text = std::regex_replace(html.substr(html.find("<body>")), std::regex("<[^<>]{1,80}>"), "");
   const nlohmann::json json = nlohmann::json::parse(read("scene.out/report.json"));
-  const std::string lower = json["energy"]["lower"].dump(), upper = json["energy"]["upper"].dump();
+  const Decimals energy = enclosed_in_decimals(json["energy"]["lower"], json["energy"]["upper"]);
+  const std::string &lower = energy.lower, &upper = energy.upper;
   ASSERT_NE(text.find("energy at least" + lower), std::string::npos) << lower;
   EXPECT_LT(text.find("energy at least" + lower), text.find("energy at most" + upper));
   EXPECT_LT(text.find("energy at most" + upper), text.find("Not guaranteed"));

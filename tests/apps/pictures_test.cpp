@@ -37,8 +37,11 @@ TEST_F(Pictures, OfARefinedContact) {
   expect_drawn("contact.out/closing.svg", "4");
   expect_drawn("contact.out/error.svg", "1");
   expect_drawn("contact.out/mesh.svg", "4");
-  expect_drawn("contact.out/stress.svg", "3");
+  expect_drawn("contact.out/stress.svg", "9");
+  expect_drawn("contact.out/shear.svg", "3");
   expect_drawn("contact.out/contact.svg", "4");
+  for (const char* text : {"pressed", "open", "upper.top", "lower.bottom", "x [mm]", "von Mises [MPa]"})
+    EXPECT_NE(read("contact.out/stress.svg").find(text), std::string::npos) << text;
   EXPECT_FALSE(there("contact.out/mesh.png"));
 }
 
@@ -52,7 +55,7 @@ TEST_F(Pictures, ThatHaveNothingToShowAreLeftOut) {
 
 TEST_F(Pictures, AsPngOnRequest) {
   ASSERT_EQ(shell("bracket run contact.toml --png" + on_four_levels).status, 0);
-  for (const char* name : {"closing", "error", "mesh", "stress", "contact"})
+  for (const char* name : {"closing", "error", "mesh", "stress", "shear", "contact"})
     EXPECT_EQ(read("contact.out/" + std::string(name) + ".png").substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
 }
 
@@ -70,7 +73,8 @@ TEST_F(Pictures, WhereGnuplotFailsTheRunSucceedsAndSaysSo) {
       "mkdir bin && printf '#!/bin/sh\\necho no such terminal >&2\\nexit 1\\n' > bin/gnuplot && chmod +x bin/gnuplot");
   const Ended ended = shell("PATH=\"$PWD/bin:$PATH\"; bracket run bending.toml");
   EXPECT_EQ(ended.status, 0);
-  EXPECT_EQ(ended.err, "note: stress.svg: gnuplot failed: no such terminal\n");
+  EXPECT_EQ(ended.err,
+            "note: stress.svg: gnuplot failed: no such terminal\nnote: shear.svg: gnuplot failed: no such terminal\n");
 }
 
 TEST_F(Pictures, AreLeftOutWithTheReportOnRequest) {
@@ -78,12 +82,12 @@ TEST_F(Pictures, AreLeftOutWithTheReportOnRequest) {
   EXPECT_EQ(ended.status, 0);
   EXPECT_EQ(ended.out.find("report.html"), std::string::npos);
   EXPECT_EQ(shell("ls contact.out").out,
-            "contact.csv\ncontact_0.vtu\nhistory.csv\nreport.json\nsolution.pvd\nsolution_0.vtu\n");
+            "contact.csv\ncontact_0.vtu\nhistory.csv\nreport.json\nsolution.pvd\nsolution_0.vtu\nview.py\n");
 }
 
 TEST_F(Pictures, NamesAreDrawnAsTheyAre) {
   std::string named = two_blocks;  // marks of gnuplot's own, of strings and of SVG
-  named.replace(named.find("N, mm, MPa"), 10, "a_b^c{d} \\\\n \\\" <e> & 'f' \xc3\xbc `touch g`");
+  named.replace(named.find("second ="), 0, "name = \"a_b^c{d} \\\\n \\\" <e> & 'f' \xc3\xbc `touch g`\"\n");
   write("contact.toml", named);
   const Ended ended = shell("bracket run contact.toml");
   EXPECT_EQ(ended.status, 0);
@@ -100,7 +104,7 @@ TEST_F(Pictures, OfAFineMeshAreSmallAndFast) {
   write("contact.toml", fine);
   ASSERT_EQ(shell("bracket run contact.toml").status, 0);
   expect_drawn("contact.out/mesh.svg", "4");
-  expect_drawn("contact.out/stress.svg", "3");
+  expect_drawn("contact.out/stress.svg", "9");
   expect_drawn("contact.out/contact.svg", "4");
   EXPECT_LT(nlohmann::json::parse(read("contact.out/report.json"))["seconds"]["pictures"], 5);
 }

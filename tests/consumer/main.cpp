@@ -29,9 +29,9 @@ int main() {
     const auto outcome = bounds::run(scene, observer);
     std::printf("Bracket %s: energy in [%.17g, %.17g], error at most %.2g of the solution\n", BRACKET_VERSION_STRING,
                 outcome.lower, outcome.upper, outcome.relative_error_bound);
-    std::ofstream("solution.vtu", std::ios::binary)
-        << apps::solution_vtu(outcome.problem, outcome.displacement, outcome.stress, outcome.indicator);
-    std::ofstream("report.json") << apps::report_json(apps::report(scene, outcome));
+    const apps::Report report = apps::report(scene, outcome);
+    std::ofstream("solution.vtu", std::ios::binary) << apps::solution_vtu(report);
+    std::ofstream("report.json") << apps::report_json(report);
 
     // Computed from the fields, not guaranteed.
     const auto contact = bounds::contact_result(outcome.problem, outcome.stress, 0);
