@@ -50,10 +50,9 @@ inline constexpr const char* displacement_colour = "#d95f0e";
 /// Lines that set up axes as all pictures have them.
 std::string plot_style();
 
-/// What the units of a scene name: "N, mm, MPa" are those of force, length and stress. Empty of any other label.
+/// The units that a scene's label names (apps/report/units.h); empty: not known.
 std::string length_unit(const std::string& units);
 std::string stress_unit(const std::string& units);
-std::string force_unit(const std::string& units);
 /// gnuplot's string for what has this unit: 'x [mm]', or without one 'x'.
 std::string with_unit(const std::string& what, const std::string& unit);
 

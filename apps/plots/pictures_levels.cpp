@@ -60,7 +60,6 @@ std::string without_blank(const std::string& unit) { return unit.empty() ? unit 
 
 }  // namespace
 
-std::string force_unit(const std::string& units) { return without_blank(units_of(units).force); }
 std::string length_unit(const std::string& units) { return without_blank(units_of(units).length); }
 std::string stress_unit(const std::string& units) { return without_blank(units_of(units).stress); }
 
