@@ -82,8 +82,8 @@ TEST(Bonds, LeaveACrackWhereTheLineIsInContact) {
   Scene<2> cracked = s, whole = s;
   cracked.bonds = {{"upper.right.bottom", "lower.right.top", ""}};
   cracked.contact = {{"upper.left.bottom", "lower.left.top", constant(0), ""}};
-  whole.bonds = {{scene::Side({"upper.left.bottom", "upper.right.bottom"}),
-                  scene::Side({"lower.left.top", "lower.right.top"}), ""}};
+  using Parts = std::vector<std::string>;
+  whole.bonds = {{Parts{"upper.left.bottom", "upper.right.bottom"}, Parts{"lower.left.top", "lower.right.top"}, ""}};
   const auto with = bounds::run(cracked), without = bounds::run(whole);
   expect_admissible(with);
   expect_admissible(without);
