@@ -1,0 +1,36 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// docs/verification.md: what is known lies in the intervals of this version, and the page says so.
+#include <regex>
+
+#include "tests/apps/command.h"
+
+namespace bracket::apps::tests {
+namespace {
+
+class VerificationPage : public Command {};
+
+/// The page without its intervals, which say as many digits as other versions may tell them with.
+std::string without_intervals(const std::string& page) {
+  return std::regex_replace(page, std::regex(R"(\[-?[0-9.e+-]+, -?[0-9.e+-]+\])"), "[]");
+}
+
+TEST_F(VerificationPage, IsWhatItsCommandWritesAndEveryValueIsInside) {
+  const Ended ended = shell("sh '" BRACKET_DOCS "/verification/make.sh' '" BRACKET_PROGRAM "' page.md");
+  const std::string page = read("page.md");
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err << page;
+  EXPECT_EQ(page.find("OUTSIDE"), std::string::npos);
+  shell("cp '" BRACKET_DOCS "/verification.md' committed.md");
+  EXPECT_EQ(without_intervals(page), without_intervals(read("committed.md")));
+}
+
+TEST_F(VerificationPage, AValueThatLeavesItsIntervalIsAnError) {
+  shell("mkdir cases && cd '" BRACKET_DOCS "/verification' && cp make.sh case.awk head.md gap-closes.toml '" +
+        (directory / "cases'").string());
+  EXPECT_EQ(shell("sh cases/make.sh '" BRACKET_PROGRAM "' page.md").status, 0);
+  shell("sed -i 's/^# Exact: force = .*/# Exact: force = 2.00001/' cases/gap-closes.toml");
+  EXPECT_EQ(shell("sh cases/make.sh '" BRACKET_PROGRAM "' page.md").status, 1);
+  EXPECT_NE(read("page.md").find("OUTSIDE"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bracket::apps::tests
