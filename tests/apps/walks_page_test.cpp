@@ -15,10 +15,10 @@ struct Told {
   double lower, upper;
 };
 
-/// Of the lines "NAME in [LOWER, UPPER]". Which cells are refined, of several that are alike, hangs on the processor,
+/// Of the lines "● NAME LOWER … UPPER". Which cells are refined, of several that are alike, hangs on the processor,
 /// so that digits may differ; intervals of one value meet.
 std::map<std::string, Told> told(const std::string& text) {
-  const std::regex line(R"(^(.*\S) +in \[(\S+), (\S+)\].*$)");
+  const std::regex line(R"(^● (.*\S) +(\S+) … (\S+).*$)");
   std::map<std::string, Told> result;
   std::istringstream stream(text);
   std::smatch match;
