@@ -3,7 +3,7 @@
 # is known. Intervals are printed outward, in units of their widths' first digit and at least of the seventh digit of their
 # ends: the digits behind those differ between processors.
 
-# The interval of the last mesh, of the energy and of each quantity.
+# The interval of the last mesh, of the energy and of each quantity; the names of these in their order.
 function read_results(    line, fields, column, i) {
   getline line < (results "/history.csv")
   split(line, fields, ",")
@@ -17,6 +17,7 @@ function read_results(    line, fields, column, i) {
     if (line ~ /inf/) continue  # no interval
     split(line, fields, "\"")  # "name",kind,cells,lower,upper,…
     i = fields[2]
+    if (!(i in lower)) quantity[++quantities] = i
     split(fields[3], fields, ",")
     lower[i] = fields[4] + 0
     upper[i] = fields[5] + 0
@@ -47,8 +48,8 @@ function interval(low, high,    unit, least) {
   return "[" decimal(low == 0 ? 0 : floor(low / 10^unit - 1e-3), unit) ", " decimal(high == 0 ? 0 : -floor(-high / 10^unit - 1e-3), unit) "]"
 }
 
-function row(name, known, verdict) {
-  printf "| %s | %s | %s | %s |\n", name, known, interval(lower[name], upper[name]), verdict
+function row(name, value, verdict) {
+  printf "| %s | %s | %s | %s |\n", name, value, interval(lower[name], upper[name]), verdict
   if (verdict ~ /OUTSIDE/) failed = 1
 }
 

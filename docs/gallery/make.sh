@@ -1,0 +1,38 @@
+#!/bin/sh
+# Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+# sh docs/gallery/make.sh [PROGRAM [DOCS]]: solves every scene of apps/scenes with PROGRAM (bracket), writes DOCS/gallery.md
+# (DOCS: docs) and, where pngquant is installed, which makes them small, the pictures DOCS/images/gallery/NAME.png.
+# The question of a scene is its second line, "# Question: …".
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+scenes=$here/../../apps/scenes
+program=${1:-bracket}
+docs=${2:-$here/..}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$docs/images/gallery"
+
+text() { sed -n "s/^$1 *= *\"\(.*\)\"\$/\1/p" "$2"; }  # of a key of a scene
+
+{
+  echo '# Gallery'
+  echo
+  echo '<!-- Written by docs/gallery/make.sh. -->'
+  echo
+  echo 'Every scene of [apps/scenes](../apps/scenes), with its question, what the last mesh'"'"'s interval is, and the command. A scene begins with'
+  echo 'what it shows and what to try. `sh docs/gallery/make.sh` solves them and writes this page.'
+  for scene in "$scenes"/*.toml; do
+    name=$(basename "$scene" .toml)
+    "$program" run "$scene" -o "$work/$name" --png --quiet > "$work/out" || { cat "$work/out" >&2; exit 1; }
+    if command -v pngquant > /dev/null; then
+      pngquant --strip 64 --force --output "$docs/images/gallery/$name.png" "$work/$name/stress.png"
+    fi
+    printf '\n## %s\n\n%s\n\n' "$(text title "$scene")" "$(sed -n 's/^# Question: //p' "$scene")"
+    printf '![Stress in the bodies as they deform](images/gallery/%s.png)\n\n' "$name"
+    units=$(text units "$scene")
+    printf '| %s | interval |\n|---|---|\n' "${units:-without units}"
+    awk -v results="$work/$name" -f "$here/../verification/case.awk" -f "$here/rows.awk"
+    printf '\n`bracket run apps/scenes/%s.toml`\n' "$name"
+  done
+} > "$work/page"
+cp "$work/page" "$docs/gallery.md"
