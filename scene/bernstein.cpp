@@ -5,7 +5,7 @@ namespace bracket::scene {
 
 const std::vector<std::array<int, 3>>& bernstein_indices(int degree) {
   static const auto of_degrees = [] {
-    std::array<std::vector<std::array<int, 3>>, 6> result;
+    std::array<std::vector<std::array<int, 3>>, 7> result;
     for (int n = 0; n < static_cast<int>(result.size()); ++n)
       for (int i2 = 0; i2 <= n; ++i2)
         for (int i1 = 0; i1 + i2 <= n; ++i1) result[n].push_back({n - i1 - i2, i1, i2});

@@ -15,7 +15,7 @@ constexpr int n_bernstein(int degree) { return (degree + 1) * (degree + 2) / 2; 
 /// The place of the coefficient (degree − i_1 − i_2, i_1, i_2).
 constexpr int bernstein_place(int degree, int i1, int i2) { return i2 * (2 * degree + 3 - i2) / 2 + i1; }
 
-/// All (i_0, i_1, i_2) with this sum, in their order. \param degree up to 5: one more than displacements have
+/// All (i_0, i_1, i_2) with this sum, in their order. \param degree up to 6: twice that of stresses
 const std::vector<std::array<int, 3>>& bernstein_indices(int degree);
 inline int bernstein_place(const std::array<int, 3>& i) { return bernstein_place(i[0] + i[1] + i[2], i[1], i[2]); }
 

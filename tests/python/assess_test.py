@@ -45,7 +45,7 @@ class Assess(unittest.TestCase):
             self.assertEqual(judged.cell.shape, (len(judged.mesh.cells),))
             self.assertFalse(judged.interpolated)
             self.assertAlmostEqual(numpy.sqrt(judged.cell.sum()), 0.5 * (lower + upper), delta=0.1 * upper)
-            self.assertIn("at most", str(judged))
+            self.assertIn("guaranteed error", str(judged))
             self.assertEqual(json.loads(judged.json())["status"], "done")
 
     def test_is_that_of_the_file(self):
