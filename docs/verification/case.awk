@@ -13,6 +13,7 @@ function read_results(    line, fields, column, i) {
     lower["energy"] = fields[column["lower"]] + 0
     upper["energy"] = fields[column["upper"]] + 0
   }
+  getline line < (results "/quantities.csv")
   while ((getline line < (results "/quantities.csv")) > 0) {
     if (line ~ /inf/) continue  # no interval
     split(line, fields, "\"")  # "name",kind,cells,lower,upper,…
