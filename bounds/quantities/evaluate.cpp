@@ -98,6 +98,28 @@ EvaluatedQuantity<dim> one_sided(const SolvedLevel<dim>& level, const Functional
   return result;
 }
 
+/// The bounds of J (place 1) and −J (place 0) by a pair. Where s takes just off what there is of a load, nothing may be
+/// left to hold what rounding leaves of it; then half of s does.
+template <int dim>
+std::array<FunctionalBound, 2> bounds_by(const SolvedLevel<dim>& level,
+                                         const std::shared_ptr<const scene::Perturbation<dim>>& by,
+                                         const PerturbedPair<dim>& pair, const std::vector<int>& signs) {
+  std::array<FunctionalBound, 2> bounds;
+  const auto fill = [&](const PerturbedPair<dim>& with) {
+    bool all = true;
+    for (const int sign : signs) {
+      FunctionalBound& bound = bounds[sign > 0];
+      if (!bound.valid) bound = functional_bound(level.problem, by, with, sign);
+      all = all && bound.valid;
+    }
+    return all;
+  };
+  if (fill(pair)) return bounds;
+  const Attempt<dim> half = solve_pair(level.problem, level.solvers, by, pair.s / 2, pair.closed);
+  if (half.pair) fill(*half.pair);
+  return bounds;
+}
+
 /// Both ends, from the pairs with the least width.
 template <int dim>
 EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functionals<dim>& asked, Learned learned) {
@@ -122,9 +144,9 @@ EvaluatedQuantity<dim> two_sided(const SolvedLevel<dim>& level, const Functional
     result.level.s = best.pair->s;
     add_terms(result.indicator, level.indicator, *best.pair, share);
     result.plain_width += share * best.pair->width;
-    for (const int sign : {-1, 1})
-      if (one || (side == 0) == (sign < 0))
-        take(functional_bound(level.problem, by, *best.pair, sign), sign, asked, result.level);
+    const std::vector<int> signs = one ? std::vector<int>{-1, 1} : std::vector<int>{side == 0 ? -1 : 1};
+    const auto bounds = bounds_by(level, by, *best.pair, signs);
+    for (const int sign : signs) take(bounds[sign > 0], sign, asked, result.level);
   }
   result.learned = std::move(learned);
   return result;

@@ -41,6 +41,22 @@ const scene::Refine three_uniform = {.strategy = scene::Strategy::uniform, .max_
 
 double modulus(double young, double poisson) { return young / (1 - poisson * poisson); }  // E'
 
+// A confined block: M = E (1 − ν)/((1 + ν)(1 − 2 ν)) = 6, the top goes down by p H/M. The functional's load is that of
+// the pressure, so that s = p leaves none of it.
+TEST(ExactQuantities, pressure_that_the_perturbation_may_take_off) {
+  for (const double p : {1.0, 2.0, 3.0, 4.0}) {
+    scene::Scene<2> s;
+    s.blocks = {block("seal", 0, 4, 0, 3, 4, 3)};
+    s.bodies = {{"seal", scene::isotropic<2>(5, 0.25, scene::Plane::strain)}};
+    s.boundary = {{"seal.left", sliding(0)}, {"seal.right", sliding(0)}, {"seal.top", pressure(constant(p))}};
+    s.contact = {{"seal.bottom", "rigid", constant(0), ""}};
+    expect_inside(s,
+                  {{along(quantity(QuantityKind::displacement, "seal.top"), 0, -1), p / 2, 1e-9},
+                   {quantity(QuantityKind::force, "seal.bottom"), 4 * p, 1e-9}},
+                  three_uniform, 3);
+  }
+}
+
 // docs/theory.md §9.3: p = p₀ (1 − c x), uniaxial stresses, quadratic displacements: statics, and a linear problem.
 TEST(ExactQuantities, linear_pressure) {
   const LinearPressure p;  // p₀ = 1, c = ½, t = 1 and ½, E = 1 and 2, ν = 0.3
