@@ -14,6 +14,7 @@
 #include "apps/report/stresses.h"
 #include "apps/report/vtk_file.h"
 #include "scene/offsets.h"
+#include "scene/parallel.h"
 
 namespace bracket::apps {
 namespace {
@@ -72,23 +73,27 @@ const std::vector<std::string> tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};  /
 /// The stresses at points, both of them and what is told of their mean.
 struct Stresses {
   std::vector<double> of_displacement, equilibrated, von_mises, principal;
+
+  explicit Stresses(std::size_t points)
+      : of_displacement(6 * points), equilibrated(6 * points), von_mises(points), principal(2 * points) {}
 };
 
-void add_stresses(Stresses& stresses, const Report& report, int body, const scene::Voigt<2>& of_displacement,
-                  const scene::Voigt<2>& equilibrated) {
-  const scene::Material<2>& material = report.outcome.problem.bodies[body].material;
+void set_stresses(Stresses& stresses, std::size_t point, const scene::Material<2>& material, scene::Plane plane,
+                  const scene::Voigt<2>& of_displacement, const scene::Voigt<2>& equilibrated) {
   const auto across = [&](const scene::Voigt<2>& s) {
-    return stress_across(material, report.scene.plane, s).value_or(std::numeric_limits<double>::quiet_NaN());
+    return stress_across(material, plane, s).value_or(std::numeric_limits<double>::quiet_NaN());
   };
-  const auto add = [&](std::vector<double>& values, const scene::Voigt<2>& s) {
-    values.insert(values.end(), {s[0], s[1], across(s), s[2], 0, 0});
+  const auto set = [&](std::vector<double>& values, const scene::Voigt<2>& s) {
+    const std::array<double, 4> nonzero = {s[0], s[1], across(s), s[2]};
+    std::ranges::copy(nonzero, values.begin() + static_cast<std::ptrdiff_t>(6 * point));
   };
-  add(stresses.of_displacement, of_displacement);
-  add(stresses.equilibrated, equilibrated);
+  set(stresses.of_displacement, of_displacement);
+  set(stresses.equilibrated, equilibrated);
   const scene::Voigt<2> mean = (of_displacement + equilibrated) / 2;
-  stresses.von_mises.push_back(von_mises(mean, across(mean)));
+  stresses.von_mises[point] = von_mises(mean, across(mean));
   const auto [larger, smaller] = principal_stresses(mean);
-  stresses.principal.insert(stresses.principal.end(), {larger, smaller});
+  stresses.principal[2 * point] = larger;
+  stresses.principal[2 * point + 1] = smaller;
 }
 
 /// What holds of a run so far: names, units, bounds.
@@ -119,6 +124,12 @@ void append(std::vector<float>& values, const scene::Vector<2>& vector) {
   values.insert(values.end(), {static_cast<float>(vector.x()), static_cast<float>(vector.y()), 0.0F});
 }
 
+/// x and y of a point; z stays 0.
+template <class Number> void set(std::vector<Number>& values, std::size_t point, const scene::Vector<2>& vector) {
+  values[3 * point] = static_cast<Number>(vector.x());
+  values[3 * point + 1] = static_cast<Number>(vector.y());
+}
+
 }  // namespace
 
 std::string solution_vtu(const Report& report) {
@@ -128,19 +139,20 @@ std::string solution_vtu(const Report& report) {
   const scene::Mesh<2>& mesh = problem.mesh;
   const auto lattice = points_of(displacement.degree);
   VtkGrid grid{.cell_type = cell_type(displacement.degree), .points_per_cell = static_cast<int>(lattice.size())};
-  std::vector<double> displacements, share, density;
-  std::vector<float> drawn;
-  Stresses stresses;
-  std::vector<std::int32_t> body;
+  const std::size_t n_parts = 3 * mesh.cells.size(), n_points = n_parts * lattice.size();
+  grid.points.resize(3 * n_points);
+  std::vector<double> displacements(3 * n_points), share(n_parts), density(n_parts);
+  std::vector<float> drawn(3 * n_points);
+  Stresses stresses(n_points);
+  std::vector<std::int32_t> body(n_parts);
   const DrawnShape shape = shape_of(report);
   const auto facets = facets_of_cells(mesh);
-  grid.points.reserve(9 * lattice.size() * mesh.cells.size());
-  displacements.reserve(9 * lattice.size() * mesh.cells.size());
   const auto weights = weights_of(lattice, displacement.degree, stress.degree);
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
+  scene::for_each_index(static_cast<int>(mesh.cells.size()), [&](int cell) {
     const auto sigma = bounds::displacement_stress(problem, displacement, cell);
     const auto offset = scene::offsets_on_cell(mesh, displacement, cell);
     const auto x = scene::positions(mesh, mesh.cells[cell]);
+    const scene::Material<2>& material = scene::body_of(problem, cell).material;
     std::array<scene::Vector<2>, 3> moved, shifted;
     for (int k = 0; k < 3; ++k) {
       moved[k] = displacement.vertex[mesh.cells[cell][k]];
@@ -148,32 +160,35 @@ std::string solution_vtu(const Report& report) {
     }
     for (int part = 0; part < 3; ++part) {
       const auto lambda = scene::stress_of_part(stress, cell, part);
+      const std::size_t own = 3 * static_cast<std::size_t>(cell) + static_cast<std::size_t>(part);
+      std::size_t point = own * lattice.size();
       for (const Weights& weight : weights[part]) {
         const scene::Vector<2> u = sum(weight.corner, moved) + sum(weight.displacement, offset);
-        append(grid.points, sum(weight.corner, x));
-        append(displacements, u);
+        set(grid.points, point, sum(weight.corner, x));
+        set(displacements, point, u);
         scene::Vector<2> to = shape.factor * u + sum(weight.corner, shifted);
         if (const int facet = facets[cell][part]; facet >= 0 && weight.on_facet)
           to += beside(problem, shape, facet, weight.along);
-        append(drawn, to);
-        add_stresses(stresses, report, mesh.cell_body[cell], sum(weight.of_displacement, sigma),
+        set(drawn, point, to);
+        set_stresses(stresses, point, material, report.scene.plane, sum(weight.of_displacement, sigma),
                      sum(weight.equilibrated, lambda));
+        ++point;
       }
-      body.push_back(mesh.cell_body[cell]);
-      share.push_back(report.outcome.indicator.cell[cell]);
-      density.push_back(share.back() / scene::volume(mesh, cell));
+      body[own] = mesh.cell_body[cell];
+      share[own] = report.outcome.indicator.cell[cell];
+      density[own] = share[own] / scene::volume(mesh, cell);
     }
-  }
-  grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"}),
-                     vtk_array("drawn", "Float32", drawn, {"x", "y", "z"}),
-                     vtk_array("stress_displacement", "Float64", stresses.of_displacement, tensor),
-                     vtk_array("stress_equilibrated", "Float64", stresses.equilibrated, tensor),
-                     vtk_array("von_mises", "Float64", stresses.von_mises),
-                     vtk_array("principal", "Float64", stresses.principal, {"larger", "smaller"})};
-  grid.cell_data = {vtk_array("body", "Int32", body), vtk_array("indicator", "Float64", share),
-                    vtk_array("indicator_density", "Float64", density)};
+  });
+  grid.point_data.push_back(vtk_array("displacement", "Float64", std::move(displacements), {"x", "y", "z"}));
+  grid.point_data.push_back(vtk_array("drawn", "Float32", std::move(drawn), {"x", "y", "z"}));
+  grid.point_data.push_back(vtk_array("stress_displacement", "Float64", std::move(stresses.of_displacement), tensor));
+  grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(stresses.equilibrated), tensor));
+  grid.point_data.push_back(vtk_array("von_mises", "Float64", std::move(stresses.von_mises)));
+  grid.point_data.push_back(vtk_array("principal", "Float64", std::move(stresses.principal), {"larger", "smaller"}));
+  grid.cell_data = {vtk_array("body", "Int32", std::move(body)), vtk_array("indicator", "Float64", std::move(share)),
+                    vtk_array("indicator_density", "Float64", std::move(density))};
   grid.field_data = about(report, shape.factor);
-  return vtu(grid);
+  return vtu(std::move(grid));
 }
 
 std::string contact_vtu(const Report& report) {
@@ -214,7 +229,7 @@ std::string contact_vtu(const Report& report) {
                      vtk_array("pressure_displacement", "Float64", of_displacement), vtk_array("gap", "Float64", gap)};
   grid.cell_data = {vtk_array("pair", "Int32", pair), vtk_array("indicator", "Float64", share)};
   grid.field_data = about(report, shape.factor);
-  return vtu(grid);
+  return vtu(std::move(grid));
 }
 
 std::string assessment_vtu(const bounds::Assessment& assessment) {
@@ -240,7 +255,7 @@ std::string assessment_vtu(const bounds::Assessment& assessment) {
   grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"})};
   grid.cell_data = {vtk_array("body", "Int32", std::vector<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
                     vtk_array("error_squared", "Float64", share), vtk_array("error_density", "Float64", density)};
-  return vtu(grid);
+  return vtu(std::move(grid));
 }
 
 std::string collection_pvd(int first, int levels, bool contact) {

@@ -27,15 +27,16 @@ std::string announce(const VtkArray& data, std::size_t offset) {
 }
 
 // The arrays of VTK's three obligatory sections: where the points are, and which of them make a cell.
-std::vector<VtkArray> topology(const VtkGrid& grid) {
+std::vector<VtkArray> topology(VtkGrid& grid) {
   const std::size_t n_points = grid.points.size() / 3;
   const std::size_t n_cells = n_points / grid.points_per_cell;
   std::vector<std::int32_t> connectivity(n_points), offsets(n_cells);
   for (std::size_t i = 0; i < n_points; ++i) connectivity[i] = static_cast<std::int32_t>(i);
   for (std::size_t i = 0; i < n_cells; ++i) offsets[i] = static_cast<std::int32_t>((i + 1) * grid.points_per_cell);
-  return {vtk_array("Points", "Float64", grid.points, {"x", "y", "z"}),
-          vtk_array("connectivity", "Int32", connectivity), vtk_array("offsets", "Int32", offsets),
-          vtk_array("types", "UInt8", std::vector<std::uint8_t>(n_cells, static_cast<std::uint8_t>(grid.cell_type)))};
+  const std::vector<std::uint8_t> types(n_cells, static_cast<std::uint8_t>(grid.cell_type));
+  return {vtk_array("Points", "Float64", std::move(grid.points), {"x", "y", "z"}),
+          vtk_array("connectivity", "Int32", std::move(connectivity)),
+          vtk_array("offsets", "Int32", std::move(offsets)), vtk_array("types", "UInt8", types)};
 }
 
 /// A number or a text of field data as text: of a double all digits; of a text its bytes as numbers, and a zero.
@@ -67,15 +68,15 @@ std::string field_data(const VtkGrid& grid) {
 
 }  // namespace
 
-std::string vtu(const VtkGrid& grid) {
-  const std::vector<VtkArray> shape = topology(grid);
+std::string vtu(VtkGrid grid) {
   const std::size_t n_points = grid.points.size() / 3;
+  std::vector<VtkArray> shape = topology(grid);
   std::string header, data;
-  std::vector<const VtkArray*> order;  // of the appended data
+  std::vector<VtkArray*> order;  // of the appended data
   std::size_t offset = 0;
-  const auto section = [&](const std::string& name, std::span<const VtkArray> arrays) {
+  const auto section = [&](const std::string& name, std::span<VtkArray> arrays) {
     header += fmt::format("<{}>\n", name);
-    for (const VtkArray& each : arrays) {
+    for (VtkArray& each : arrays) {
       header += announce(each, offset);
       offset += sizeof(std::uint64_t) + each.bytes.size();
       order.push_back(&each);
@@ -97,10 +98,10 @@ std::string vtu(const VtkGrid& grid) {
   std::string file;
   file.reserve(header.size() + offset + end.size());
   file += header;
-  for (const VtkArray* each : order) {
+  for (VtkArray* each : order) {
     const std::uint64_t size = each->bytes.size();
     file.append(reinterpret_cast<const char*>(&size), sizeof size);
-    file += each->bytes;
+    file += std::exchange(each->bytes, {});
   }
   return file += end;
 }

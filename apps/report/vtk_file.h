@@ -18,8 +18,9 @@ struct VtkArray {
   std::string bytes;
 };
 
+/// \param values to be moved in where they are large: all numbers of a level are, and are held once
 template <typename Number>
-VtkArray vtk_array(std::string name, const char* type, const std::vector<Number>& values,
+VtkArray vtk_array(std::string name, const char* type, std::vector<Number> values,
                    std::vector<std::string> components = {""}) {
   std::string bytes(values.size() * sizeof(Number), '\0');
   if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
@@ -44,7 +45,7 @@ struct VtkGrid {
 };
 
 /// The file: appended raw data, field data as text.
-std::string vtu(const VtkGrid& grid);
+std::string vtu(VtkGrid grid);
 
 void append(std::vector<double>& points, const scene::Vector<2>& point);  ///< with a third coordinate 0
 
