@@ -98,7 +98,7 @@ TEST(Gap, JumpsAtEndsOfAnEdgeCostNothing) {
 }
 
 /// The area between the two on all stretches of a length.
-double area(const std::string& gap, int halvings) {
+double area_between(const std::string& gap, int halvings) {
   double sum = 0;
   const double width = std::ldexp(1.0, -halvings);
   for (int piece = 0; piece < 1 << halvings; ++piece) {
@@ -117,7 +117,7 @@ TEST(Gap, TheBoundsCloseAtTheOrderThatTheFunctionAllows) {
        {Case{"sin(2*x)", 3}, Case{"1 - cos(pi*x)", 3}, Case{"exp(x)/(1 + x^2)", 3}, Case{"4 - sqrt(16 - x^2)", 3},
         Case{"abs(x - 0.3)", 2}, Case{"x < 0.3 ? 0 : 1e3", 1}, Case{"max(0, x^2 - 0.3)", 2},
         Case{"sqrt(x + 1)", 1.5}}) {
-    const double coarse = area(formula, 4), fine = area(formula, 8);
+    const double coarse = area_between(formula, 4), fine = area_between(formula, 8);
     EXPECT_GT(std::log2(coarse / fine) / 4, order - 0.3) << formula << ": " << coarse << ", " << fine;
   }
 }

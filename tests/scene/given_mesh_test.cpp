@@ -25,7 +25,7 @@ Scene<2> scene_on(GivenMesh<2> mesh) {
   scene.given = std::move(mesh);
   for (const char* body : {"lower", "upper"}) scene.bodies.emplace(body, isotropic<2>(1, 0.3, Plane::strain));
   scene.boundary["bottom"] = {ConditionKind::fixed, {constant(0), constant(0)}};
-  scene.contact = {{"joint", "joint"}};
+  scene.contact = {{"joint", "joint", {}}};
   return scene;
 }
 
