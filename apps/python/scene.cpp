@@ -100,6 +100,10 @@ void add_contact(Scene& scene, const py::object& first, const py::object& second
   scene.contact.push_back(std::move(pair));
 }
 
+void add_bond(Scene& scene, const py::object& first, const py::object& second) {
+  scene.bonds.push_back({names_of(first, "first"), names_of(second, "second")});
+}
+
 void add_curve(Scene& scene, const std::string& part, const std::optional<Pair>& center, std::optional<double> radius) {
   if (center.has_value() != radius.has_value()) throw py::value_error("a circle needs both center and radius");
   scene::Curve curve;
@@ -207,6 +211,10 @@ void add_parts(py::class_<Scene>& scene) {
            "Contact without friction. first: a boundary part, or a list of them. second: likewise, or\n"
            "\"rigid\", a wall along the first, a Line or a Circle. gap: a length, < 0 for interference;\n"
            "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.")
+      .def("add_bond", add_bond, py::arg("first"), py::arg("second"),
+           "Two sides that stick, whatever pulls or shears; each a boundary part, or a list of them. They coincide "
+           "node\n"
+           "by node, and the mesh joins them.")
       .def("add_curve", add_curve, py::arg("part"), py::kw_only(), py::arg("center") = none, py::arg("radius") = none,
            "A boundary part that is an arc: of this circle, or of the one through its vertices.")
       .def("add_quantity", add_quantity, py::arg("name"), py::arg("kind"), py::arg("of") = "", py::kw_only(),

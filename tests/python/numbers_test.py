@@ -127,6 +127,24 @@ class Numbers(unittest.TestCase):
         self.assertLessEqual(outcome.lower, -0.00156588569415)
         self.assertGreaterEqual(outcome.upper, -0.00156588566432)
 
+    def test_of_bonded_bars(self):
+        scene = scenes.with_blocks(bracket.Scene(), cells=2)
+        scene.add_body("lower", E=1.0, nu=0.0)
+        scene.add_body("upper", E=2.0, nu=0.0)
+        scene.set_sliding("lower.bottom", 0)
+        scene.set_sliding("lower.left", 0)
+        scene.set_traction("upper.top", 0, 0.5)
+        scene.add_bond("upper.bottom", "lower.top")
+        outcome = bracket.run(scene)
+        self.assertLessEqual(outcome.lower, -0.1875)
+        self.assertGreaterEqual(outcome.upper, -0.1875)
+        self.assertLess(outcome.upper - outcome.lower, 1e-10)
+        self.assertEqual(len(outcome.mesh.vertices), 15)
+        apart = scenes.with_blocks(bracket.Scene(), cells=2)
+        apart.add_bond("upper.bottom", "lower.bottom")
+        with self.assertRaises(bracket.Error):
+            bracket.run(apart)
+
     def test_of_callables_are_told_to_be_sampled(self):
         sampled = scenes.with_blocks(scenes.two_blocks(traction=lambda x, y: -0.1 if x < 0.5 else 0.09))
         sampled.set_refine(max_levels=2)
