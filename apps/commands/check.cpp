@@ -102,6 +102,10 @@ std::string condition_text(const scene::Scene<2>& scene, const std::string& part
     if (contains(pair.first, part)) return "contact with " + name(pair.second);
     if (contains(pair.second, part)) return "contact with " + name(pair.first);
   }
+  for (const scene::Bond& bond : scene.bonds) {
+    if (contains(bond.first, part)) return "bonded to " + name(bond.second) + ", inside of one piece";
+    if (contains(bond.second, part)) return "bonded to " + name(bond.first) + ", inside of one piece";
+  }
   const auto condition = scene.boundary.find(part);
   return condition == scene.boundary.end() ? "free" : name(condition->second.kind);
 }

@@ -124,6 +124,19 @@ TEST_F(CommandLine, CheckTellsWhatItUnderstoodAndWritesNothing) {
   EXPECT_EQ(shell("ls").out, "scene.toml\n");
 }
 
+TEST_F(CommandLine, CheckAndRunTellBondedSides) {
+  std::string bonded = two_blocks;
+  bonded.replace(bonded.find("gap = 0.0"), 9, "law = \"bonded\"");
+  write("bonded.toml", bonded);
+  const std::string note = "'upper.bottom' and 'lower.top' are bonded along 4 edges";
+  const Ended check = shell("bracket check bonded.toml");
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_NE(check.out.find("lower.top: 0 edges, length 0: bonded to upper.bottom"), std::string::npos) << check.out;
+  EXPECT_NE(check.err.find(note), std::string::npos) << check.err;
+  const Ended run = shell("bracket run bonded.toml --no-report");
+  EXPECT_NE(run.err.find(note), std::string::npos) << run.err;
+}
+
 TEST_F(CommandLine, InfoCountsAMeshAndTellsWhatItMended) {
   // A unit square of two triangles, the second clockwise.
   write("square.msh", R"($MeshFormat
