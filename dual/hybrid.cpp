@@ -102,7 +102,7 @@ contact::System assemble(const Problem<dim>& problem, const Layout& layout, cons
   body.sequence = contact::elimination(body_paths, cell_nodes, static_cast<int>(body.nodes.size()) - 1);
   contact::Assembly assembly(body.nodes, cell_nodes, 3);
   const std::vector<int>& own = layout.body_cells[b];
-  constexpr std::size_t together = 4096;  // so many cells' matrices stay in the cache until they are added
+  constexpr std::size_t together = 4096;  // cells whose matrices are held until they are added
   std::vector<CellMatrix<degree>> stiffness;
   for (std::size_t begin = 0; begin < own.size(); begin += together) {
     stiffness.resize(std::min(together, own.size() - begin));

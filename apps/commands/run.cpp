@@ -50,25 +50,30 @@ void write_fields(const Results& results, const Report& report) {
   write_file(folder, "view.py", paraview_view(report));
 }
 
-void write_level(Results& results, const bounds::Outcome<2>& outcome) {
+/// The report of a run whose last level has just been done.
+Report report_so_far(Results& results, const bounds::Outcome<2>& outcome) {
   results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
-  const Clock clock;
   Report so_far = report_of(results, outcome);
   so_far.running = true;
+  return so_far;
+}
+
+void write_level(Results& results, Report& so_far) {
+  const Clock clock;
   if (!results.options.last_level) write_fields(results, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
   write_file(results.folder, "contact.csv", findings_csv(so_far));
-  if (!outcome.quantities.empty()) write_file(results.folder, "quantities.csv", quantities_csv(so_far));
+  if (!so_far.outcome.quantities.empty()) write_file(results.folder, "quantities.csv", quantities_csv(so_far));
   so_far.around.back().write = results.around.back().write = clock.seconds();
   write_file(results.folder, "report.json", report_json(so_far));
 }
 
 /// A disk that cannot take the first level is the user's to mend. Later the interval counts more than the files.
-void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome) {
+void write_level_if_it_fits(Results& results, Report& so_far) {
   try {
-    write_level(results, outcome);
+    write_level(results, so_far);
   } catch (const scene::Error& error) {
-    if (outcome.levels.size() == 1) throw;
+    if (so_far.outcome.levels.size() == 1) throw;
     results.missing.emplace_back(error.what());
   }
 }
@@ -77,13 +82,14 @@ void write_level_if_it_fits(Results& results, const bounds::Outcome<2>& outcome)
 bounds::Outcome<2> solve(Results& results) {
   const RunOptions& options = results.options;
   Watch watch(!options.quiet);
-  return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& so_far) {
+  return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& outcome) {
     watch.show("writing");
+    Report so_far = report_so_far(results, outcome);
     write_level_if_it_fits(results, so_far);
     watch.clear();
     if (options.quiet || options.json) return;
-    if (so_far.levels.size() == 1) std::cout << scene_text(results.scene) << "\n" << level_names(results.scene);
-    std::cout << level_line(report_of(results, so_far)) << std::flush;
+    if (outcome.levels.size() == 1) std::cout << scene_text(results.scene) << "\n" << level_names(results.scene);
+    std::cout << level_line(so_far) << std::flush;
   }));
 }
 
@@ -182,8 +188,10 @@ Ending run(const RunOptions& options) {
   const bounds::Outcome<2> outcome = solve(results);
   const bool has_rows = !results.around.empty();
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
-  if (results.around.size() < outcome.levels.size())
-    write_level_if_it_fits(results, outcome);  // of a level that failed its checks
+  if (results.around.size() < outcome.levels.size()) {  // of a level that failed its checks
+    Report failed = report_so_far(results, outcome);
+    write_level_if_it_fits(results, failed);
+  }
   Report report = report_of(results, outcome);
   write_first_end(results, report);  // before the pictures, which may fill the disk
   if (options.last_level) try_last_fields(results, report);

@@ -10,7 +10,6 @@
 #include "apps/report/pairs.h"
 #include "apps/report/shares.h"
 #include "apps/report/units.h"
-#include "apps/report/von_mises.h"
 #include "bounds/certificate/open_contact.h"
 #include "bounds/results.h"
 
@@ -126,7 +125,7 @@ std::vector<Finding> of_bodies(const Report& report, const Units& units) {
   const auto largest = bounds::largest_displacement(report.outcome.problem, report.outcome.displacement);
   rows.push_back({Subject::bodies, -1, "", "largest_displacement", largest.displacement.norm(), units.length});
   rows.back().at = largest.at;
-  if (const LargestVonMises stress = largest_von_mises(report); stress.value >= 0) {
+  if (const LargestVonMises& stress = report.von_mises; stress.value >= 0) {
     rows.push_back({Subject::bodies, -1, "", "largest_von_mises_stress", stress.value, units.stress});
     rows.back().at = stress.at;
     if (!stress.of_all) rows.back().note = "of the bodies with E and nu";

@@ -15,11 +15,20 @@ struct LevelSeconds {
   double write = 0;    ///< to write its fields
 };
 
+/// The largest von Mises stress of ½ (σ(u_h) + λ_h), whose error has the least bound, on the bodies whose stress across
+/// the plane is known: zero in plane stress, ν (σ_xx + σ_yy) in plane strain, not told by a 3 × 3 stiffness.
+struct LargestVonMises {
+  double value = -1;  ///< less than 0: it is known of no body
+  scene::Vector<2> at = scene::Vector<2>::Zero();
+  bool of_all = true;  ///< it is known of all
+};
+
 /// What a run has found so far, in the forms in which it is told. Numbers in them read back to the same double.
 struct Report {
   const scene::Scene<2>& scene;
   const bounds::Outcome<2>& outcome;          ///< \pre at least one level
   std::vector<bounds::ContactState> contact;  ///< as Problem::contact
+  LargestVonMises von_mises;                  ///< searched once, as all cells are looked at
   bool running = false;                       ///< more levels may follow
   double read = 0;                            ///< seconds to read the scene file
   std::vector<LevelSeconds> around;           ///< as Outcome::levels

@@ -13,6 +13,7 @@
 #include "apps/report/pairs.h"
 #include "apps/report/quantities.h"
 #include "apps/report/shares.h"
+#include "apps/report/von_mises.h"
 #include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
@@ -91,6 +92,7 @@ Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome) {
   Report report{.scene = scene,
                 .outcome = outcome,
                 .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+                .von_mises = largest_von_mises(outcome, scene.plane),
                 .around = {},
                 .missing = {}};
   double elapsed = 0;

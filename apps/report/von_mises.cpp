@@ -43,14 +43,13 @@ template <class Values> Voigt<2> weighted(const std::vector<double>& factors, co
 
 }  // namespace
 
-LargestVonMises largest_von_mises(const Report& report) {
-  const auto& [problem, displacement, stress] =
-      std::tie(report.outcome.problem, report.outcome.displacement, report.outcome.stress);
+LargestVonMises largest_von_mises(const bounds::Outcome<2>& outcome, scene::Plane plane) {
+  const auto& [problem, displacement, stress] = std::tie(outcome.problem, outcome.displacement, outcome.stress);
   const auto points = sample_points(scene::stress_degree(displacement.degree), stress.degree);
   LargestVonMises largest;
   for (int cell = 0; cell < static_cast<int>(problem.mesh.cells.size()); ++cell) {
     const scene::Material<2>& material = scene::body_of(problem, cell).material;
-    if (!stress_across(material, report.scene.plane, Voigt<2>::Zero())) {
+    if (!stress_across(material, plane, Voigt<2>::Zero())) {
       largest.of_all = false;
       continue;
     }
@@ -59,7 +58,7 @@ LargestVonMises largest_von_mises(const Report& report) {
       const auto lambda = scene::stress_of_part(stress, cell, part);
       for (const SamplePoint& point : points[part]) {
         const Voigt<2> mean = (weighted(point.of_cell, sigma) + weighted(point.of_part, lambda)) / 2;
-        const double own = von_mises(mean, *stress_across(material, report.scene.plane, mean));
+        const double own = von_mises(mean, *stress_across(material, plane, mean));
         if (own <= largest.value) continue;
         largest.value = own;
         largest.at.setZero();
