@@ -189,6 +189,25 @@ Found curve_fault(const Scene<2>& scene) {
   return {};
 }
 
+/// What is wrong with a pair's law; empty: nothing.
+std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair) {
+  if (pair.law == Law::bonded) return "a contact pair cannot be bonded; what sticks is a bond of its own";
+  const bool valued = pair.law == Law::winkler || pair.law == Law::tresca;
+  if (valued != (pair.value && *pair.value))
+    return fmt::format("contact.law: '{}' has {}", name(pair.law), valued ? "no value" : "a value, and needs none");
+  if (!valued && !pair.lifts_off)
+    return fmt::format("contact.law: sides that may not lift off are \"bilateral\", not \"{}\"", name(pair.law));
+  if (pair.law == Law::frictionless) return "";
+  if (scene.solve.dual == Dual::uzawa)
+    return fmt::format(
+        "contact.law: Uzawa's iteration knows frictionless contact only; for '{}' write solve.dual = "
+        "\"hybrid\"",
+        name(pair.law));
+  if (pair.zones > 0 && is_two_sided(pair))
+    return "contact.zones: where the sides cannot lift off there are no zones of contact to find";
+  return "";
+}
+
 Found contact_fault(const Scene<2>& scene) {
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];
@@ -198,6 +217,7 @@ Found contact_fault(const Scene<2>& scene) {
     };
     if (pair.gap && !*pair.gap)
       return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
+    if (const std::string message = law_message(scene, pair); !message.empty()) return fault("law", message);
     const bool crack = !is_wall(pair.second) && pair.first.parts == pair.second.parts;
     if (Found of_obstacle = obstacle_fault(pair.second, with(key, "second"), pair.where)) return of_obstacle;
     std::set<std::string> own;  // parts of this pair

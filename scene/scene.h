@@ -85,7 +85,7 @@ bool is_wall(const Side& side);  ///< "rigid" or an obstacle
 bool contains(const Side& side, const std::string& part);
 std::string name(const Side& side);  ///< "a", "a, b", "a rigid wall", "a line", "a circle"
 
-/// A frictionless contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
+/// A contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
 /// other side is free. The gap is measured from the first side to the second, ≥ 0 open, < 0 interference, and its
 /// function taken at points of the first. One part as both sides is a crack.
 template <int dim> struct ContactPair {
@@ -93,9 +93,17 @@ template <int dim> struct ContactPair {
   Side second;
   std::optional<Function<dim>> gap;  ///< nothing: as drawn, between the sides or to the obstacle; none to a wall
   std::string where = {};
-  std::string name = {};  ///< for quantities and reports; empty: its first part
-  int zones = 0;          ///< stretches of it, equally long, whose forces are wanted as intervals; 0: none
+  std::string name = {};        ///< for quantities and reports; empty: its first part
+  int zones = 0;                ///< stretches of it, equally long, whose forces are wanted as intervals; 0: none
+  Law law = Law::frictionless;  ///< any but bonded, which is a Bond
+  std::optional<Function<dim>> value = {};  ///< of law: winkler: k > 0; tresca: g_T ≥ 0; linear on each facet of the
+                                            ///< first mesh; else none
+  bool lifts_off = true;                    ///< winkler, tresca: whether the sides may part; bilateral ones never do
 };
+/// Whether the sides keep together: r = g.
+template <int dim> bool is_two_sided(const ContactPair<dim>& pair) {
+  return pair.law == Law::bilateral || !pair.lifts_off;
+}
 
 /// Two sides that stick to each other, whatever pulls or shears: bodies that are one piece of several materials. They
 /// coincide node by node, and build_mesh() joins them.

@@ -70,6 +70,10 @@ ContactFacet on_piece(const Problem<2>& first, int contact, int one, int other, 
   ContactFacet facet = given;
   facet.first = one;
   facet.second = other;
+  for (int i = 0; i < 2; ++i) {
+    facet.law.modulus[i] = between_ends(given.law.modulus, piece.corner[i][0]);
+    facet.law.friction[i] = between_ends(given.law.friction, piece.corner[i][0]);
+  }
   if (!first.gaps.empty() && first.gaps[contact].function) {
     const auto& [a, b] = first.mesh.boundary[given.first].vertices;
     const GapBounds bounds = enclosed_gap(first.gaps[contact], first.mesh.vertices[a], first.mesh.vertices[b], piece);

@@ -42,6 +42,17 @@ template <int dim> struct FacetData {
 /// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_K in a perturbed problem.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
 
+/// What the sides of a contact facet do to each other (docs/theory.md §11): by default they press and slide freely.
+/// Values are those at vertices 0 and 1 of the first facet, linear between.
+struct FacetLaw {
+  bool two_sided = false;                  ///< they do not lift off: r = g in place of r ≤ g, p of either sign
+  std::array<double, 2> modulus = {0, 0};  ///< k of springs between them, force per area and length: p = k (r − g), the
+                                           ///< unilateral ones not below zero; zero at both vertices: rigid
+  std::array<double, 2> friction = {0, 0};  ///< g_T, the largest shear, force per area (Tresca)
+};
+inline bool has_springs(const FacetLaw& law) { return law.modulus[0] > 0; }
+inline bool has_friction(const FacetLaw& law) { return law.friction[0] > 0 || law.friction[1] > 0; }
+
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
 /// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.
 struct ContactFacet {
@@ -52,6 +63,7 @@ struct ContactFacet {
   /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only where the
   /// gap is a parabola on the facet of the first mesh.
   std::array<double, 3> lower, upper;
+  FacetLaw law = {};
 };
 /// The value of a quadratic with these Bernstein coefficients at the middle of its facet.
 inline double at_middle(const std::array<double, 3>& gap) { return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2])); }

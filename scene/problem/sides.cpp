@@ -91,9 +91,9 @@ InContact in_contact(const Scene<2>& scene, Mesh<2> mesh) {
     const int pair = static_cast<int>(i);
     if (is_wall(scene.contact[i].second)) {
       for (const int facet : facets_before(result.mesh, scene.contact[i], taken))
-        result.contact.push_back({pair, facet, -1, {}, {}});
+        result.contact.push_back({pair, facet, -1, {}, {}, {}});
     } else {
-      for (const auto& [one, other] : cut.pairs[of_bodies++]) result.contact.push_back({pair, one, other, {}, {}});
+      for (const auto& [one, other] : cut.pairs[of_bodies++]) result.contact.push_back({pair, one, other, {}, {}, {}});
     }
   }
   return result;

@@ -93,6 +93,18 @@ double with_room(double gap, long double approach, double tolerance) {
   return upper(Interval(approach));
 }
 
+/// Makes the gap of sides that keep together that approach, if it differs by no more than the tolerance: no
+/// displacement could make good what rounding did. \return by how much it was changed
+double adapt(ContactFacet& facet, int end, long double approach, double tolerance) {
+  const Interval made(approach);
+  const double change =
+      std::max(std::abs(facet.lower[2 * end] - upper(made)), std::abs(facet.upper[2 * end] - lower(made)));
+  if (change > tolerance) return 0;
+  facet.lower[2 * end] = lower(made);
+  facet.upper[2 * end] = upper(made);
+  return change;
+}
+
 }  // namespace
 
 double make_room(Problem<2>& problem) {
@@ -108,11 +120,16 @@ double make_room(Problem<2>& problem) {
     for (int end = 0; end < 2; ++end) {
       const auto first = at_end(facet.first, end, d);
       const auto second = facet.second == -1 ? Prescribed{} : at_end(facet.second, 1 - end, d);
-      if (!first || !second) continue;
+      if (!first || !second || has_springs(facet.law)) continue;
       GivenGap<2>& given = problem.gaps[i];
       const auto& [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
       const double gap = given.function ? lower(gap_at_end(given.function, a, b, end)) : facet.lower[2 * end];
       const double size = first->size + second->size + std::abs(gap) + problem.length_scale;
+      if (facet.law.two_sided) {
+        most = std::max(
+            most, adapt(facet, end, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size));
+        continue;
+      }
       const double room =
           with_room(gap, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size);
       const double raised = upper(Interval(room) - Interval(gap));

@@ -47,6 +47,31 @@ Side read_side(const toml::node& node, const std::string& name, bool second) {
   return side;
 }
 
+/// "bilateral", { winkler = k, tension } or { tresca = g, liftoff }.
+void read_law(const toml::node& node, ContactPair<2>& pair) {
+  const toml::table* entry = node.as_table();
+  if (entry == nullptr) {
+    pair.law = choice<Law>(node, "contact.law");
+    if (pair.law == Law::winkler || pair.law == Law::tresca)
+      refuse(node, fmt::format("contact.law = \"{0}\" needs its value: write law = {{ {0} = … }}", name(pair.law)));
+    return;
+  }
+  for (const char* coulomb : {"coulomb", "friction"})
+    if (entry->get(coulomb))
+      refuse(node,
+             "Coulomb's friction is no minimum of an energy and has no bounds here; with a bound of the shear it "
+             "has: law = { tresca = g }");
+  check_keys(*entry, "contact.law", {"winkler", "tension", "tresca", "liftoff"});
+  pair.law = entry->get("tresca") ? Law::tresca : Law::winkler;
+  const bool springs = pair.law == Law::winkler;
+  for (const char* other : {springs ? "tresca" : "winkler", springs ? "liftoff" : "tension"})
+    if (const toml::node* wrong = entry->get(other))
+      refuse(*wrong, fmt::format("contact.law: '{}' does not belong to '{}'", other, name(pair.law)));
+  pair.value = function(required(*entry, "contact.law", name(pair.law)), "contact.law." + name(pair.law));
+  if (const toml::node* tension = entry->get("tension")) pair.lifts_off = !truth(*tension, "contact.law.tension");
+  if (const toml::node* liftoff = entry->get("liftoff")) pair.lifts_off = truth(*liftoff, "contact.law.liftoff");
+}
+
 }  // namespace
 
 ContactPair<2> read_contact(const toml::table& entry) {
@@ -57,6 +82,7 @@ ContactPair<2> read_contact(const toml::table& entry) {
   pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second", true);
   if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
     pair.gap = function(*gap, "contact.gap");
+  if (const toml::node* law = entry.get("law")) read_law(*law, pair);
   if (const toml::node* own = entry.get("name")) pair.name = label(*own, "contact.name");
   if (const toml::node* zones = entry.get("zones")) pair.zones = integer(*zones, "contact.zones");
   return pair;
@@ -64,7 +90,7 @@ ContactPair<2> read_contact(const toml::table& entry) {
 
 bool is_bond(const toml::table& entry) {
   const toml::node* law = entry.get("law");
-  return law && choice<Law>(*law, "contact.law") == Law::bonded;
+  return law && law->value<std::string>() == name(Law::bonded);
 }
 
 Bond read_bond(const toml::table& entry) {
