@@ -77,6 +77,29 @@ template <class Number> Number bernstein_product(const std::vector<Number>& f, c
   return bernstein_product<Number>(std::span<const Number>(f), std::span<const Number>(g));
 }
 
+/// f g on the segment, of the sum of their degrees.
+template <class Number>
+std::vector<Number> bernstein_times(const std::vector<Number>& f, const std::vector<Number>& g) {
+  const int m = static_cast<int>(f.size()) - 1, n = static_cast<int>(g.size()) - 1;
+  std::vector<Number> result(m + n + 1, Number(0));
+  for (int i = 0; i <= m; ++i)
+    for (int k = 0; k <= n; ++k)
+      result[i + k] += share<Number>(f[i] * g[k], binomial(m, i) * binomial(n, k), binomial(m + n, i + k));
+  return result;
+}
+
+/// The same function of each half of the segment.
+template <class Number> std::array<std::vector<Number>, 2> halves(std::vector<Number> c) {
+  const std::size_t n = c.size();
+  std::array<std::vector<Number>, 2> result = {c, c};
+  for (std::size_t left = n; left-- > 0;) {
+    result[0][n - 1 - left] = c[0];
+    result[1][left] = c[left];
+    for (std::size_t k = 0; k < left; ++k) c[k] = (c[k] + c[k + 1]) / Number(2);
+  }
+  return result;
+}
+
 /// The value at t of a function on the segment.
 template <class Value> Value value_on_segment(std::vector<Value> c, double t) {
   for (std::size_t n = c.size() - 1; n > 0; --n)

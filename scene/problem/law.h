@@ -14,6 +14,9 @@ namespace bracket::scene {
 /// d turned by 90° counter-clockwise.
 inline Vector<2> tangent(const Vector<2>& d) { return {-d[1], d[0]}; }
 
+/// What was found of a contact facet, as flags: some row of the normal direction is closed; some of the slip holds.
+enum FacetState : char { touches = 1, sticks = 2 };
+
 /// The cubic C that agrees with 1/k, k linear and positive from k0 to k1, at the ends of a facet and twice in its
 /// middle: its Bernstein coefficients. C ≥ 1/k, for 1/k − C = (1/k)''''(ξ) t (t − ½)² (t − 1) / 24 with a fourth
 /// derivative that is positive; for constant k they are equal. So ½ ∫ p² C is not less than ½ ∫ p²/k.
@@ -24,5 +27,14 @@ template <class Number> std::array<Number, 4> compliance_on(const Number& k0, co
   };
   return {at0, inner(at0, at1, k1), inner(at1, at0, k0), at1};
 }
+
+/// How often a facet is halved on which v_t changes its sign, for ∫ g_T |v_t| by the sizes of coefficients: what that
+/// is too large falls to a quarter with each, on the one half that has the change.
+constexpr int halvings_of_slip = 6;
+
+/// What unilateral springs of a facet are shortened by, s ≥ r − g by Bernstein coefficients: nearly the least ½ ∫ k s².
+/// Any such s has an energy not below ½ ∫ k (r − g)₊², also where it is negative: there r < g.
+/// \param modulus k > 0 at the ends   \param c of r − g
+std::vector<double> shortening(const std::array<double, 2>& modulus, const std::vector<double>& c);
 
 }  // namespace bracket::scene
