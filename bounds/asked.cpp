@@ -45,19 +45,22 @@ std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2
   return result;
 }
 
-/// One of the motions alone that does it, for people to see. \param rows as for contact::balance()
-std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const Eigen::VectorXd& work, double rounding) {
+/// One of the motions alone that does it, for people to see. \param rows, limits as for contact::balance()
+std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const contact::Limits& limits,
+                                        const Eigen::VectorXd& work, double rounding) {
   for (Eigen::Index m = 0; m < work.size(); ++m) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(work.size());
     y[m] = work[m] > 0 ? 1 : -1;
-    if (std::abs(work[m]) > rounding && (rows * y).maxCoeff() <= 1e-12) return y;
+    const Eigen::VectorXd along = rows * y;
+    const Eigen::VectorXd against = (limits.lower.array() < 0).select(along.cwiseAbs(), along);
+    if (std::abs(work[m]) > rounding && against.maxCoeff() <= 1e-12) return y;
   }
   return {};
 }
 
 /// Motions y that the supports leave, that open contacts or leave them, G y ≤ 0, and are free of work, eᵀy = 0: the
 /// solution may be moved by them, and with it Q by Q(y). By Farkas' lemma there is none with Q(y) > 0 if and only if
-/// Gᵀp − τ e = q for some p ≥ 0, τ ≥ 0.
+/// Gᵀp − τ e = q for some p ≥ 0, τ ≥ 0; with friction, if and only if e + q/τ can be held for some τ.
 Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_ptr<const scene::Perturbation<2>>& by) {
   const FreeMotions<2> all = all_free_motions(problem);
   Undetermined result;
@@ -65,17 +68,26 @@ Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_pt
   const LoadWork own = load_work(problem, all),
                  added = load_work(perturbation_alone(problem, by, problem.carries), all);
   if (added.size == 0) return result;
-  const Eigen::MatrixXd contact = approaches(problem, all);
+  const auto [contact, limits, friction] = holding(problem, all);
   Eigen::MatrixXd rows(contact.rows() + 1, contact.cols());
   rows << contact, -own.work.transpose() / std::max(own.size, std::numeric_limits<double>::min());
+  contact::Limits all_limits{Eigen::VectorXd(rows.rows()), Eigen::VectorXd(rows.rows())};
+  all_limits.lower << limits.lower, 0;
+  all_limits.upper << limits.upper, std::numeric_limits<double>::infinity();
   const double rounding = std::numeric_limits<double>::epsilon() *
                           (static_cast<double>(problem.mesh.boundary.size() + problem.mesh.cells.size()) + 64) *
                           added.size;
+  // Friction costs energy: a motion free of it is one that loads changed by however little set off.
+  const double held = friction ? limits.upper.tail(contact.rows() - 2 * problem.contact.size()).sum() : 0;
+  const double little = std::max(own.size, held) / added.size * 0x1p-20;
   for (const double sign : {-1.0, 1.0}) {
-    const contact::Balance balance = contact::balance(rows, sign * added.work, rounding);
+    const contact::Balance balance =
+        friction ? contact::balance(contact, own.work + sign * little * added.work, little * rounding, limits)
+                 : contact::balance(rows, sign * added.work, rounding, all_limits);
     if (balance.possible) continue;
     (sign < 0 ? result.below : result.above) = true;
-    const auto [body, motion] = most_moved(all, simplest(rows, sign * added.work, rounding).value_or(balance.motion));
+    const auto [body, motion] =
+        most_moved(all, simplest(rows, all_limits, sign * added.work, rounding).value_or(balance.motion));
     result.motion = fmt::format("nothing resists a motion of body '{}', {}, that changes it",
                                 problem.mesh.components[body], scene::describe(motion));
   }
@@ -93,6 +105,13 @@ template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene,
   for (std::size_t i = 0; i < scene.contact.size(); ++i)
     for (auto& zone : zones(scene, problem, static_cast<int>(i))) result.push_back(std::move(zone));
   for (auto& one : result) {
+    const bool stores = std::ranges::any_of(
+        problem.contact, [](const auto& pair) { return has_springs(pair.law) || has_friction(pair.law); });
+    if (one.quantity.kind == QuantityKind::energy && stores)
+      scene::fail(scene::Status::input, one.quantity.where,
+                  fmt::format("quantity '{}': springs and friction in the contact take energy, too; the strain energy "
+                              "of the bodies alone has no bounds here",
+                              one.quantity.name));
     if (one.quantity.kind == QuantityKind::energy && free_energy(problem) != FreeEnergy::none) continue;
     const Functionals<dim> functional = functionals(scene, problem, one.quantity);
     if (one.quantity.kind == QuantityKind::energy) continue;  // of no motion

@@ -2,7 +2,9 @@
 #include "bounds/free_motions.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "scene/problem/law.h"
 #include "scene/problem/stretch.h"
 
 namespace bracket::bounds {
@@ -19,27 +21,55 @@ template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& 
   return all;
 }
 
+namespace {
+
+/// The jump along a direction at the ends of a contact facet, u' − u'', under each motion: two rows.
 template <int dim>
-Eigen::MatrixXd approaches(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset) {
+Eigen::MatrixXd jumps(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, const scene::ContactFacet& pair,
+                      const Vector<dim>& direction, double inset) {
   const auto& mesh = problem.mesh;
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim * problem.contact.size(), all.motion.size());
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& pair = problem.contact[j];
-    const Vector<dim> d = problem.facets[pair.first].normal;
-    const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
-    for (std::size_t m = 0; m < all.motion.size(); ++m) {
-      for (const int side : {pair.first, pair.second}) {
-        if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
-        const auto ends = scene::positions(mesh, mesh.boundary[side].vertices);
-        for (int i = 0; i < dim; ++i) {  // the second side runs the other way
-          const double at = (side == pair.first) == (i == 0) ? t : 1 - t;
-          rows(dim * j + i, m) +=
-              (side == pair.first ? 1 : -1) * d.dot(displacement(all.motion[m], scene::between_ends(ends, at)));
-        }
+  const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim, all.motion.size());
+  for (std::size_t m = 0; m < all.motion.size(); ++m)
+    for (const int side : {pair.first, pair.second}) {
+      if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
+      const auto ends = scene::positions(mesh, mesh.boundary[side].vertices);
+      for (int i = 0; i < dim; ++i) {  // the second side runs the other way
+        const double at = (side == pair.first) == (i == 0) ? t : 1 - t;
+        rows(i, m) +=
+            (side == pair.first ? 1 : -1) * direction.dot(displacement(all.motion[m], scene::between_ends(ends, at)));
       }
     }
-  }
   return rows;
+}
+
+}  // namespace
+
+template <int dim> Holding holding(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset) {
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  const auto& contact = problem.contact;
+  const auto n_normal = static_cast<Eigen::Index>(dim * contact.size());
+  const auto rubbing =
+      std::count_if(contact.begin(), contact.end(), [](const auto& pair) { return has_friction(pair.law); });
+  const Eigen::Index n = n_normal + dim * rubbing;
+  Holding result{Eigen::MatrixXd::Zero(n, all.motion.size()),
+                 {Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, unlimited)},
+                 rubbing > 0};
+  Eigen::Index slip = n_normal;
+  for (std::size_t j = 0; j < contact.size(); ++j) {
+    const scene::ContactFacet& pair = contact[j];
+    const Vector<dim>& d = problem.facets[pair.first].normal;
+    result.rows.middleRows(dim * j, dim) = jumps(problem, all, pair, d, inset);
+    if (pair.law.two_sided) result.limits.lower.segment(dim * j, dim).setConstant(-unlimited);
+    if (!has_friction(pair.law)) continue;
+    result.rows.middleRows(slip, dim) = jumps<dim>(problem, all, pair, scene::tangent(d), inset);
+    const double length = scene::length(problem.mesh, pair.first);
+    for (int i = 0; i < dim; ++i, ++slip) {
+      result.limits.upper[slip] = length * (2 * pair.law.friction[i] + pair.law.friction[1 - i]) / 6;
+      result.limits.lower[slip] = -result.limits.upper[slip];
+    }
+  }
+  return result;
 }
 
 template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
@@ -90,7 +120,7 @@ template <int dim> Moved<dim> most_moved(const FreeMotions<dim>& all, const Eige
 }
 
 template FreeMotions<2> all_free_motions(const scene::Problem<2>&);
-template Eigen::MatrixXd approaches(const scene::Problem<2>&, const FreeMotions<2>&, double);
+template Holding holding(const scene::Problem<2>&, const FreeMotions<2>&, double);
 template LoadWork load_work(const scene::Problem<2>&, const FreeMotions<2>&);
 template Moved<2> most_moved(const FreeMotions<2>&, const Eigen::VectorXd&);
 

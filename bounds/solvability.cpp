@@ -20,8 +20,9 @@ namespace {
 template <int dim>
 std::string explain(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, const Eigen::VectorXd& y) {
   const auto [body, motion] = most_moved(all, y);
-  return fmt::format("body '{}' is pushed off: {} gains energy without end", problem.mesh.components[body],
-                     scene::describe(motion));
+  const bool friction = std::ranges::any_of(problem.contact, [](const auto& pair) { return has_friction(pair.law); });
+  return fmt::format("body '{}' is pushed off: {} gains energy without end{}", problem.mesh.components[body],
+                     scene::describe(motion), friction ? ", which friction does not hold" : "");
 }
 
 scene::Problem<2> without_corrections(scene::Problem<2> problem) {
@@ -106,14 +107,15 @@ scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all
 }
 
 /// The problem with corrections along all motions that neither supports nor the pairs that the loads need act on.
-/// \param pressure that balances the loads but for what is explained, as rows of approaches()
+/// \param pressure that balances the loads but for what is explained, as rows of holding()
 /// \param rounding what a pair carries at most if it carries nothing
 scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::VectorXd& pressure, double rounding) {
   for (const auto& pair : problem.contact)
     problem.carries.resize(std::max<std::size_t>(problem.carries.size(), pair.pair + 1), 0);
   std::vector<double> force(problem.carries.size(), 0);
   for (std::size_t j = 0; j < problem.contact.size(); ++j)
-    force[problem.contact[j].pair] += pressure[2 * j] + pressure[2 * j + 1];
+    force[problem.contact[j].pair] += problem.contact[j].law.two_sided ? std::numeric_limits<double>::infinity()
+                                                                       : pressure[2 * j] + pressure[2 * j + 1];
   for (std::size_t pair = 0; pair < force.size(); ++pair) problem.carries[pair] = force[pair] > rounding;
   const int unheld = unheld_motions(problem, problem.carries);
   if (unheld == 0) {
@@ -158,12 +160,12 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
   problem = without_corrections(std::move(problem));
   const FreeMotions<dim> all = all_free_motions(problem);
   if (all.motion.empty()) return problem;
-  const Eigen::MatrixXd rows = approaches(problem, all);
+  const auto [rows, limits, friction] = holding(problem, all);
   LoadWork given = load_work(problem, all);
   const auto [rounding, explained] = possible_imbalance(problem);
   contact::Balance balance{true, Eigen::VectorXd::Zero(rows.rows()), {}};
-  if (given.size > 0) balance = contact::balance(rows, given.work, rounding);
-  if (!balance.possible) balance = contact::balance(rows, given.work, explained);
+  if (given.size > 0) balance = contact::balance(rows, given.work, rounding, limits);
+  if (!balance.possible) balance = contact::balance(rows, given.work, explained, limits);
   if (!balance.possible)
     throw scene::Error(scene::Status::ill_posed,
                        explain(problem, all, balance.motion) +
@@ -176,11 +178,12 @@ template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int
     problem = with_work(std::move(problem), all, -left);
     changed = left.cwiseAbs().maxCoeff() / given.size;
     given = load_work(problem, all);
-    if (const auto exact = contact::balance(rows, given.work, rounding); exact.possible) balance = exact;
+    if (const auto exact = contact::balance(rows, given.work, rounding, limits); exact.possible) balance = exact;
   }
   const auto by_pressure = [&](double tolerance) {
     const double inset = 4 * tolerance / given.work.norm() * problem.length_scale;
-    return contact::balance(approaches(problem, all, inset), given.work, tolerance).possible;
+    const Holding inside = holding(problem, all, inset);
+    return contact::balance(inside.rows, given.work, tolerance, inside.limits).possible;
   };
   if (given.size > 0 && given.work.norm() > explained && !by_pressure(rounding) && !by_pressure(explained))
     throw scene::Error(

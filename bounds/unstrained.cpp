@@ -35,8 +35,8 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, in
 template <int dim>
 bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement) {
   if (has_loads(problem)) return false;
-  constexpr double rounding = 1e-14;  // of displacements, relative: some tens of the last place
-  return potential_energy(problem, displacement).strain <=
+  constexpr double rounding = 1e-14;                       // of displacements, relative: some tens of the last place
+  return potential_energy(problem, displacement).total <=  // without loads: strains, and what contact laws store
          energy_of_noise(problem, 1, rounding * largest_given(problem));
 }
 

@@ -5,6 +5,7 @@
 #include "contact/clock.h"
 #include "dual/cells.h"
 #include "dual/dual.h"
+#include "dual/rows.h"
 #include "scene/mesh/dissection.h"
 #include "scene/parallel.h"
 
@@ -36,35 +37,6 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
     }
   }
   return loads;
-}
-
-/// Rows (degree + 1) j + i of contact facet j: ∫ B_i r over it, for the Bernstein polynomials of its first facet. Both
-/// sides count their own outward normal displacement: r = u'·n' + u''·n''.
-template <int dim>
-void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::System>& bodies) {
-  const auto& mesh = problem.mesh;
-  const int n = layout.degree + 1;
-  std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& pair = problem.contact[j];
-    const double length = scene::length(mesh, pair.first);
-    for (const int side : {pair.first, pair.second}) {
-      if (side < 0) continue;
-      const auto& facet = mesh.boundary[side];
-      const Edge& edge = layout.edges[facet.edge];
-      const int begin = facet.vertices[side == pair.first ? 0 : 1];  // where the first facet begins
-      for (int row = 0; row < n; ++row)
-        for (int i = 0; i < n; ++i) {
-          const int unknown = edge.unknown[2 * along_edge(mesh, layout.degree, facet.edge, begin, i)];
-          const double mean = scene::number<double>(scene::bernstein_mass(layout.degree, row, layout.degree, i));
-          entries[mesh.cell_component[facet.cell]].emplace_back(n * j + row, unknown, length * mean);
-        }
-    }
-  }
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    bodies[b].rows.resize(n * problem.contact.size(), bodies[b].nodes.back());
-    bodies[b].rows.setFromTriplets(entries[b].begin(), entries[b].end());
-  }
 }
 
 /// The rigid motions that the supports of a body leave, as edge displacements.
@@ -231,6 +203,7 @@ template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<di
   for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
     systems.push_back(assemble<degree>(problem, layout, cells, paths, static_cast<int>(b)));
   set_contact_rows(problem, layout, systems);
+  add_springs(problem, degree, systems);
   const double assembled = clock.lap();
   return {std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), dissected, assembled};
 }
@@ -239,23 +212,31 @@ template <int degree, int dim>
 Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem, const std::vector<char>& closed) {
   const Clock clock;
   const auto& [layout, cells, bodies, dissected, assembled] = of;
-  constexpr int rows = degree + 1;  // of a contact facet
+  const std::vector<RowOf> rows = contact_rows(problem, degree);
   if (lay_out(problem, degree).body_nodes != layout.body_nodes ||
-      rows * static_cast<Eigen::Index>(problem.contact.size()) != bodies.systems().front().rows.rows())
+      static_cast<Eigen::Index>(rows.size()) != bodies.systems().front().rows.rows())
     throw std::invalid_argument(
         "dual::Solver: the problem has other unknowns or contact facets than the one that was factorised");
   const CellData<degree> data{prescribed_displacements<degree>(problem), weights<degree>(problem, layout, cells)};
   std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
-  const std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);
+  std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);
+  if (const auto& systems = bodies.systems(); systems.size() > all.size())  // springs
+    all.push_back(Eigen::VectorXd::Zero(systems.back().stiffness.rows()));
+  const Eigen::VectorXd of_normal = gap_moments(problem, degree);
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+  gaps.head(of_normal.size()) = of_normal;
   std::vector<char> guess;
-  for (const char facet : closed) guess.insert(guess.end(), rows, facet);
+  for (const RowOf& row : rows)
+    if (!closed.empty()) guess.push_back((closed[row.facet] & row.state()) != 0);
   const double of_data = clock.seconds();
 
-  contact::Solution solution = bodies.solve(all, gap_moments(problem, degree), guess);
+  contact::Solution solution = bodies.solve(all, gaps, guess, limits(problem, degree));
+  std::vector<std::string> names = problem.mesh.components;
+  names.push_back("springs");
   Result<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(
-      solution, "stresses", problem.mesh.components,
+      solution, "stresses", names,
       "on this mesh no admissible pressure balances the loads (their resultant passes too close to the end of a "
       "contact line for its edges); refine the mesh there, unless the resultant passes through the end itself: then no "
       "mesh has such a pressure",
@@ -268,7 +249,7 @@ Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem,
   }
   result.closed.assign(problem.contact.size(), 0);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
-    if (solution.active[i]) result.closed[i / rows] = 1;
+    if (solution.active[i]) result.closed[rows[i].facet] |= rows[i].state();
   result.statistics = contact::statistics(bodies, solution);
   result.statistics.seconds.order += dissected;
   result.statistics.seconds.assemble = assembled + of_data;

@@ -1,11 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "primal/nodes.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-
 namespace bracket::primal {
 
 namespace {
@@ -66,59 +61,6 @@ template <int dim> void set_supports(const Problem<dim>& problem, Nodes<dim>& no
   }
 }
 
-/// One approach r = (u' − u'')·d at a pair of nodes, as a row. A rigid wall has no second node.
-template <int dim> struct Approach {
-  const Nodes<dim>& nodes;
-  const Problem<dim>& problem;
-
-  void add(Row& row, int node, int body, const Vector<dim>& d, double weight) const {
-    const Node<dim>& at = nodes.node[node];
-    row.bound -= weight * at.prescribed.dot(d);
-    row.size += std::abs(weight) * at.prescribed.norm();
-    for (int k = 0; k < at.free; ++k) {
-      if (parallel<dim>(at.directions.col(1 - k), d)) continue;  // this one is at right angles to d
-      row.entries.push_back({body, at.unknown + k, weight * at.directions.col(k).dot(d)});
-    }
-  }
-};
-
-struct EndRow {
-  int first, second;  ///< vertices
-  Vector<2> normal;
-  double gap;
-  int facet;
-};
-
-/// The end rows, one for each vertex pair and distinct normal, with the smaller gap where two facets share it.
-template <int dim> std::vector<EndRow> end_rows(const Problem<dim>& problem) {
-  const auto& mesh = problem.mesh;
-  std::vector<EndRow> rows;
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& pair = problem.contact[j];
-    for (int i = 0; i < dim; ++i) {
-      const int first = mesh.boundary[pair.first].vertices[i];
-      const int second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - i];
-      if (first == second) continue;  // the tip of a crack, which does not open
-      rows.push_back({first, second, problem.facets[pair.first].normal, pair.lower[2 * i], static_cast<int>(j)});
-    }
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const EndRow& a, const EndRow& b) {
-    return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-  });
-  std::vector<EndRow> distinct;
-  for (const EndRow& row : rows) {
-    bool merged = false;
-    for (auto it = distinct.rbegin(); it != distinct.rend() && it->first == row.first && it->second == row.second; ++it)
-      if (it->normal == row.normal) {
-        it->gap = std::min(it->gap, row.gap);
-        merged = true;
-        break;
-      }
-    if (!merged) distinct.push_back(row);
-  }
-  return distinct;
-}
-
 }  // namespace
 
 template <int dim> Nodes<dim> make_nodes(const Problem<dim>& problem, int degree) {
@@ -165,67 +107,9 @@ template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, con
   return list;
 }
 
-template <int dim> std::vector<Row> contact_rows(const Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap) {
-  const auto& mesh = problem.mesh;
-  const Approach<dim> approach{nodes, problem};
-  std::vector<Row> rows;
-  // scene::fix_data() has made room where rounding alone closed a gap; here the sum of three products is rounded.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  const auto keep = [&](Row row, const Vector<dim>& x) {
-    if (!row.entries.empty()) {
-      rows.push_back(std::move(row));
-    } else if (row.bound < -rounding * (row.size + problem.length_scale)) {
-      const int part = mesh.boundary[problem.contact[row.facet].first].part;
-      throw scene::Error(
-          scene::Status::ill_posed,
-          fmt::format("the displacements prescribed at the contact of '{}' close its gap by up to {:.3g} "
-                      "more than it has at ({:.7g}, {:.7g}): no displacement of degree {} is admissible",
-                      mesh.parts[part], -row.bound, x[0], x[1], nodes.degree));
-    }
-  };
-  const auto body_of = [&](int facet) { return mesh.cell_component[mesh.boundary[facet].cell]; };
-
-  // The inner rows come first: where rows depend on each other, the earlier ones are kept active.
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& pair = problem.contact[j];
-    const auto& [ga, middle, gb] = pair.lower;
-    // A linear r meets a middle coefficient no smaller than the mean of its neighbours by itself; that of a linear gap
-    // is their mean but for rounding.
-    const bool met = middle >= (ga + gb) / 2 - rounding * std::max(std::abs(ga), std::abs(gb));
-    if (nodes.degree == 1 && met && !any_gap) continue;
-    const Vector<dim>& d = problem.facets[pair.first].normal;
-    const std::vector<double> gap = scene::raised_to<double>(nodes.degree, std::vector<double>{ga, middle, gb});
-    for (std::size_t k = 1; k + 1 < gap.size(); ++k) {
-      Row row{{}, gap[k], std::abs(gap[k]), static_cast<int>(j)};
-      for (const int side : {pair.first, pair.second}) {
-        if (side < 0) continue;
-        const auto& facet = mesh.boundary[side];
-        const double sign = side == pair.first ? 1 : -1;
-        if (nodes.degree == 1)
-          for (const int v : facet.vertices) approach.add(row, nodes.at_vertex(v), body_of(side), d, sign * 0.5);
-        else
-          approach.add(row,
-                       nodes.on_edge(mesh, facet.edge, facet.vertices[side == pair.first ? 0 : 1], static_cast<int>(k)),
-                       body_of(side), d, sign);
-      }
-      const auto& [a, b] = mesh.boundary[pair.first].vertices;
-      keep(std::move(row), (mesh.vertices[a] + mesh.vertices[b]) / 2);
-    }
-  }
-  for (const EndRow& end : end_rows(problem)) {
-    const auto& pair = problem.contact[end.facet];
-    Row row{{}, end.gap, std::abs(end.gap), end.facet};
-    approach.add(row, nodes.at_vertex(end.first), body_of(pair.first), end.normal, 1);
-    if (end.second >= 0) approach.add(row, nodes.at_vertex(end.second), body_of(pair.second), end.normal, -1);
-    keep(std::move(row), mesh.vertices[end.first]);
-  }
-  return rows;
-}
-
 template struct Node<2>;
 template struct Nodes<2>;
 template Nodes<2> make_nodes(const Problem<2>&, int);
 template std::vector<int> cell_nodes(const scene::Mesh<2>&, const Nodes<2>&, int);
-template std::vector<Row> contact_rows(const Problem<2>&, const Nodes<2>&, bool);
 
 }  // namespace bracket::primal

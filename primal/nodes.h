@@ -37,25 +37,4 @@ template <int dim> struct Nodes {
 template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int cell);
 template <int dim> Nodes<dim> make_nodes(const scene::Problem<dim>& problem, int degree);
 
-/// A contact row Σ coefficient · q ≤ bound, one Bernstein coefficient of r and g.
-struct Row {
-  struct Entry {
-    int body, unknown;
-    double coefficient;
-    bool operator==(const Entry&) const = default;
-  };
-  std::vector<Entry> entries;
-  double bound;
-  double size;  ///< of what `bound` is a difference of, absolute
-  int facet;    ///< a contact facet that it belongs to, index into Problem::contact
-};
-
-/// Rows that make r ≤ g on all of Γ_K: the Bernstein coefficients of r on each facet are bounded by those of g, at the
-/// ends once for each distinct normal that meets there. Rows without unknowns are checked and dropped.
-/// \param any_gap the rows that some gap needs, whatever that of the problem is: linear displacements meet the middle
-///     coefficients of most gaps by themselves
-/// \throw scene::Error (ill_posed) if such a row is violated
-template <int dim>
-std::vector<Row> contact_rows(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap = false);
-
 }  // namespace bracket::primal

@@ -14,7 +14,7 @@ template <int dim> struct Result {
   contact::Termination termination = contact::Termination::solved;
   std::string reason;  ///< if not solved: one line, with the body and the motion
   scene::Displacement<dim> displacement;
-  std::vector<char> closed;  ///< per Problem::contact: 1 where one of its rows is active; to start the next mesh from
+  std::vector<char> closed;  ///< per Problem::contact: scene::FacetState; to start the next mesh from
   contact::Statistics statistics;
 };
 

@@ -3,10 +3,10 @@
 #include <stdexcept>
 
 #include "contact/clock.h"
-#include "primal/nodes.h"
 #include "primal/primal.h"
 #include "primal/systems.h"
 #include "scene/mesh/dissection.h"
+#include "scene/problem/law.h"
 
 namespace bracket::primal {
 
@@ -97,25 +97,33 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   std::vector<Eigen::VectorXd> load = loads(problem, nodes);
   const Eigen::VectorXd given = prescribed(nodes);
   for (std::size_t b = 0; b < load.size(); ++b) load[b] -= held[b] * given;
+  if (const auto& systems = bodies.systems(); systems.size() > load.size())  // springs
+    load.push_back(Eigen::VectorXd::Zero(systems.back().stiffness.rows()));
   Eigen::VectorXd bounds(rows.size());
+  contact::Limits limits{Eigen::VectorXd(rows.size()), Eigen::VectorXd(rows.size())};
   std::vector<char> guess;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     bounds[i] = rows[i].bound;
-    if (!closed.empty()) guess.push_back(closed[rows[i].facet]);
+    limits.lower[i] = rows[i].lower;
+    limits.upper[i] = rows[i].upper;
+    if (!closed.empty())
+      guess.push_back((closed[rows[i].facet] & (rows[i].is_slip ? scene::sticks : scene::touches)) != 0);
   }
   const double of_data = clock.seconds();
 
-  const contact::Solution solution = bodies.solve(load, bounds, guess);
+  const contact::Solution solution = bodies.solve(load, bounds, guess, limits);
+  std::vector<std::string> names = problem.mesh.components;
+  names.push_back("springs");
   Result<dim> result;
   result.termination = solution.termination;
   result.reason =
-      contact::reason(solution, "displacements", problem.mesh.components, "no admissible pressure balances the loads",
+      contact::reason(solution, "displacements", names, "no admissible pressure balances the loads",
                       "the gaps and the prescribed displacements contradict each other, none is admissible");
   if (solution.termination == contact::Termination::solved)
     result.displacement = recover(problem.mesh, nodes, solution.displacement);
   result.closed.assign(problem.contact.size(), 0);
   for (std::size_t i = 0; i < solution.active.size(); ++i)
-    if (solution.active[i]) result.closed[rows[i].facet] = 1;
+    if (solution.active[i]) result.closed[rows[i].facet] |= rows[i].is_slip ? scene::sticks : scene::touches;
 
   result.statistics = contact::statistics(bodies, solution);
   result.statistics.seconds.order += dissected;

@@ -73,6 +73,40 @@ template <int dim> void set_contact_rows(const std::vector<Row>& rows, const Nod
   }
 }
 
+/// The springs of the contact, if there are any. A row's multiplier presses them.
+template <int dim>
+void add_springs(const Problem<dim>& problem, const std::vector<Row>& rows, int degree, Systems<dim>& systems) {
+  const int last = spring_degree(degree), n = last + 1;
+  contact::System springs;
+  springs.nodes = {0};
+  Triplets stiffness, entries;
+  for (const auto& pair : problem.contact) {
+    if (!has_springs(pair.law)) continue;
+    const int begin = springs.nodes.back();
+    const double length = scene::length(problem.mesh, pair.first);
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k <= i; ++k) {  // B_i B_k is a multiple of one polynomial of twice the degree
+        double mean = 0;
+        for (int end = 0; end < 2; ++end)
+          mean += scene::number<double>(scene::bernstein_mass(2 * last, i + k, 1, end)) * pair.law.modulus[end];
+        const double factor =
+            static_cast<double>(scene::binomial(last, i) * scene::binomial(last, k)) / scene::binomial(2 * last, i + k);
+        stiffness.emplace_back(begin + i, begin + k, length * factor * mean);
+      }
+    springs.nodes.push_back(begin + n);
+  }
+  const int size = springs.nodes.back();
+  if (size == 0) return;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].spring >= 0) entries.emplace_back(static_cast<int>(i), rows[i].spring, -1);
+  springs.stiffness.resize(size, size);
+  springs.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  springs.rows.resize(static_cast<int>(rows.size()), size);
+  springs.rows.setFromTriplets(entries.begin(), entries.end());
+  springs.rigid.resize(size, 0);
+  systems.body.push_back(std::move(springs));
+}
+
 template <int dim> void add_load(const Node<dim>& node, const Vector<dim>& force, Eigen::VectorXd& load) {
   for (int k = 0; k < node.free; ++k) load[node.unknown + k] += node.directions.col(k).dot(force);
 }
@@ -147,6 +181,7 @@ Systems<dim> assemble(const Problem<dim>& problem, const Nodes<dim>& nodes, cons
   }
   set_rigid_motions(problem, nodes, systems);
   set_contact_rows(rows, nodes, systems);
+  add_springs(problem, rows, nodes.degree, systems);
   return systems;
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "contact/contact.h"
-#include "primal/nodes.h"
+#include "primal/rows.h"
 
 namespace bracket::primal {
 
-/// The bodies as linear systems in the unknowns of their nodes.
+/// The bodies as linear systems in the unknowns of their nodes. Where contact has springs, they are one more, behind
+/// the bodies: its unknowns are the Bernstein coefficients of their shortening s on each facet, its energy is ½ ∫ k s².
 template <int dim> struct Systems {
   std::vector<contact::System> body;
   /// K between a body's unknowns and the prescribed displacements of all nodes, component by component, in x and y:

@@ -26,8 +26,11 @@ template <int dim>
 double penetration(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                    const std::vector<ContactState>& states) {
   double worst = 0;
-  for (const auto& state : states)
-    for (const double coefficient : state.gap_left) raise(worst, -coefficient);
+  for (std::size_t j = 0; j < states.size(); ++j) {
+    const scene::FacetLaw& law = problem.contact[j].law;
+    for (const double coefficient : states[j].gap_left)
+      if (!has_springs(law)) raise(worst, law.two_sided ? std::abs(coefficient) : -coefficient);
+  }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support != Support::fixed && data.support != Support::sliding) continue;
@@ -119,6 +122,16 @@ struct BoundaryMisfit {
 template <int dim>
 BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
   BoundaryMisfit worst;
+  const std::vector<char> rubs = with_friction(problem);
+  std::vector<char> may_pull(problem.facets.size(), 0);
+  for (const auto& pair : problem.contact) {
+    may_pull[pair.first] = pair.law.two_sided;
+    if (pair.second >= 0) may_pull[pair.second] = pair.law.two_sided;
+    if (!has_friction(pair.law)) continue;
+    const auto shear = plain_shear(problem, stress, pair);
+    const auto most = coefficients(pair.law.friction, stress.degree);
+    for (std::size_t i = 0; i < shear.size(); ++i) raise(worst.traction, std::abs(shear[i]) - most[i]);
+  }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (data.support == Support::fixed) continue;
@@ -129,9 +142,9 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
     for (std::size_t i = 0; i < t.size(); ++i) {
       if (data.support == Support::traction)
         raise(worst.traction, (t[i] - given[i] / length).norm());
-      else
+      else if (!rubs[f])
         raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
-      if (data.support == Support::contact) raise(worst.tension, t[i].dot(n));
+      if (data.support == Support::contact && !may_pull[f]) raise(worst.tension, t[i].dot(n));
     }
   }
   return worst;

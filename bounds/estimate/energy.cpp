@@ -44,7 +44,9 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
       work +=
           scene::bernstein_product(std::vector<double>{load[0][c], load[1][c]}, along<dim>(u, Vector<dim>::Unit(c)));
   }
-  return {static_cast<double>(strain), static_cast<double>(strain - work)};
+  Sum of_laws = 0;
+  for (const auto& pair : problem.contact) of_laws += law_energy(problem, displacement, pair);
+  return {static_cast<double>(strain), static_cast<double>(strain - work + of_laws)};
 }
 
 template <int dim> double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
@@ -75,6 +77,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
   for (const auto& pair : problem.contact) {
     const std::vector<double> gap(pair.upper.begin(), pair.upper.end());
     energy += scene::length(mesh, pair.first) * scene::bernstein_product(plain_pressure(problem, stress, pair), gap);
+    energy += law_complementary_energy(problem, stress, pair);
   }
   return static_cast<double>(energy);
 }

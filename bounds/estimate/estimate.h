@@ -16,7 +16,7 @@ template <int dim>
 std::vector<scene::Voigt<dim>> displacement_stress(const scene::Problem<dim>& problem,
                                                    const scene::Displacement<dim>& displacement, int cell);
 
-/// L(v) = ½ A(v,v) − ℓ(v) [HH81 §1], and its strain part ½ A(v,v).
+/// L(v) = ½ A(v,v) − ℓ(v) [HH81 §1], with what contact laws add (docs/theory.md §11), and its strain part ½ A(v,v).
 struct PotentialEnergy {
   double strain = 0;
   double total = 0;
@@ -24,7 +24,7 @@ struct PotentialEnergy {
 template <int dim>
 PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
-/// S(λ) = ½ ∫ λ : C⁻¹ λ − ∫_Γu λn·u0 − ∫_Γ0 (λn)_n u0n + ∫_ΓK p g
+/// S(λ) = ½ ∫ λ : C⁻¹ λ − ∫_Γu λn·u0 − ∫_Γ0 (λn)_n u0n + ∫_ΓK p g, with what contact laws add
 template <int dim> double complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress);
 
 struct Check {
@@ -40,8 +40,8 @@ struct Checks {
   double penetration = 0;     ///< largest r − g on Γ_K (Bernstein coefficients), misfit of prescribed displacements
   double equilibrium = 0;     ///< largest |div λ + F| · cell diameter, and traction jumps between a cell's parts
   double interface_jump = 0;  ///< largest jump of λn between cells, and of the pressure across the contact
-  double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K
-  double tension = 0;            ///< largest −p on Γ_K
+  double boundary_traction = 0;  ///< largest |λn − P| on Γ_τ and shear on Γ_0, Γ_K, there above what friction bears
+  double tension = 0;            ///< largest −p on Γ_K, where its sides can part
   double gap_identity = 0;       ///< |sum of indicators − width| by the energy
   std::array<Check, 6> all() const;
   Check worst() const;  ///< the largest, or one that is not a number
@@ -54,8 +54,9 @@ Checks admissibility(const scene::Problem<dim>& problem, const scene::Displaceme
 
 /// The terms of the gap identity; they are ≥ 0 and add up to the width of the bracket.
 struct Indicator {
-  std::vector<double> cell;     ///< ½ ‖σ(u_h) − λ_h‖²_{C⁻¹} on each cell
-  std::vector<double> contact;  ///< ∫ p_h (g − r(u_h)) on each contact facet, rounding of p_h included
+  std::vector<double> cell;  ///< ½ ‖σ(u_h) − λ_h‖²_{C⁻¹} on each cell
+  std::vector<double> contact;  ///< ∫ p_h (g − r(u_h)) on each contact facet, rounding of p_h included; with other laws
+                                ///< ∫ φ + φ* − p_h r(u_h) − τ_h v_t(u_h)
   double sum = 0;
 };
 template <int dim>

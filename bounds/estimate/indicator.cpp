@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bounds/estimate/on_mesh.h"
+#include "scene/problem/law.h"
 
 namespace bracket::bounds {
 
@@ -15,22 +16,7 @@ namespace {
 template <int dim>
 std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                              const scene::ContactFacet& pair) {
-  const auto& mesh = problem.mesh;
-  const Vector<dim> d = problem.facets[pair.first].normal;
-  const auto& [a, b] = mesh.boundary[pair.first].vertices;
-  std::array<Vector<dim>, 2> ends = {displacement.vertex[a], displacement.vertex[b]};
-  auto offset = scene::offsets_on_facet(mesh, displacement, pair.first);
-  if (pair.second >= 0) {
-    const auto& [over_b, over_a] = mesh.boundary[pair.second].vertices;  // the second side runs the other way
-    ends[0] -= displacement.vertex[over_a];
-    ends[1] -= displacement.vertex[over_b];
-    const auto other = scene::offsets_on_facet(mesh, displacement, pair.second);
-    for (std::size_t k = 0; k < offset.size(); ++k) offset[k] -= other[other.size() - 1 - k];
-  }
-  std::vector<double> approach = along<dim>(offset, d);
-  for (int k = 0; k <= displacement.degree; ++k)
-    approach[k] += scene::linear_coefficient<double>(ends[0].dot(d), ends[1].dot(d), displacement.degree, k);
-  approach = scene::raised_to<double>(2, approach);
+  const auto approach = jump(problem, displacement, pair, problem.facets[pair.first].normal);
   auto left = scene::raised_to<double>(displacement.degree, std::vector<double>(pair.upper.begin(), pair.upper.end()));
   for (std::size_t k = 0; k < left.size(); ++k) left[k] -= approach[k];
   return left;
@@ -43,9 +29,10 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
   std::vector<double> largest(mesh.bodies.size(), 0), misfit = largest;
   for (std::size_t c = 0; c < stress.cell.size(); ++c)
     for (const auto& s : stress.cell[c]) largest[mesh.cell_body[c]] = std::max(largest[mesh.cell_body[c]], s.norm());
+  const std::vector<char> rubs = with_friction(problem);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
-    if (data.support == scene::Support::fixed) continue;
+    if (data.support == scene::Support::fixed || rubs[f]) continue;
     const int facet = static_cast<int>(f);
     double& most = misfit[mesh.cell_body[mesh.boundary[f].cell]];
     const auto t = tractions(mesh, stress, facet);
@@ -128,9 +115,15 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
     sum += result.cell[c];
   }
   for (const auto& pair : problem.contact) {
-    result.contact.push_back(
-        scene::length(mesh, pair.first) *
-        scene::bernstein_product(plain_pressure(problem, stress, pair), gap_left(problem, displacement, pair)));
+    const double length = scene::length(mesh, pair.first);
+    result.contact.push_back(length * scene::bernstein_product(plain_pressure(problem, stress, pair),
+                                                               gap_left(problem, displacement, pair)) +
+                             law_energy(problem, displacement, pair) + law_complementary_energy(problem, stress, pair));
+    if (has_friction(pair.law))
+      result.contact.back() -=
+          length * scene::bernstein_product(
+                       plain_shear(problem, stress, pair),
+                       jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal)));
     sum += result.contact.back();
   }
   result.sum = static_cast<double>(sum);

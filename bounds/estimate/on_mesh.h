@@ -44,6 +44,28 @@ template <int dim>
 std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                    const scene::ContactFacet& pair);
 
+/// The shear τ of λ_h there, likewise, as computed (scene/problem/law.h).
+template <int dim>
+std::vector<double> plain_shear(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                const scene::ContactFacet& pair);
+
+/// (u' − u'')·direction of u_h there, likewise, of degree 2 at least.
+template <int dim>
+std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                         const scene::ContactFacet& pair, const scene::Vector<dim>& direction);
+
+/// What its law adds to the energies on a contact facet (docs/theory.md §11): ½ ∫ k s² + ∫ g_T |v_t| to L(u_h) and
+/// ½ ∫ C p² to S(λ_h), as upper bounds of φ and φ* as the certificate has them.
+template <int dim>
+double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                  const scene::ContactFacet& pair);
+template <int dim>
+double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                const scene::ContactFacet& pair);
+
+/// Of each boundary facet, whether its contact has friction: then its shear is not known beforehand.
+template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& problem);
+
 /// Keeps the largest value; a NaN stays.
 inline void raise(double& largest, double value) {
   if (value > largest || std::isnan(value)) largest = value;

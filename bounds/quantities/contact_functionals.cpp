@@ -68,6 +68,11 @@ ContactWeights contact_weights(const scene::Scene<2>& scene, const Problem<2>& f
   if (quantity.weight) return given_weights(first, quantity, pair);
   ContactWeights weights;
   if (quantity.stretch) {
+    if (scene::is_two_sided(scene.contact[pair]))
+      refuse(
+          quantity,
+          "a stretch of it has no bounds where the sides cannot lift off, for pressures of either sign do not add up "
+          "one way; expected the whole contact, or a weight");
     const ContactLine line = open_line(first, pair, quantity.of,
                                        fmt::format("quantity '{}': a stretch needs", quantity.name), quantity.where);
     const StretchWeights stretch = stretch_weights(first, line, *quantity.stretch, quantity.where);
@@ -117,7 +122,8 @@ Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& fir
     return weight;
   };
   Functionals<2> result = contact_work_functionals(first, negative(weights.above), negative(weights.below));
-  result.non_negative = is_non_negative(weights.below);
+  result.non_negative = is_non_negative(weights.below) &&
+                        !scene::is_two_sided(scene.contact[pair_named(scene, quantity.of, quantity.where)]);
   result.weighted = weights.weighted;
   return result;
 }
@@ -165,6 +171,9 @@ Enclosure weighted_gap(const Problem<2>& problem, const std::vector<std::array<d
 
 Functionals<2> opening(const scene::Scene<2>& scene, const Problem<2>& problem, const Quantity<2>& quantity) {
   const Problem<2>& first = scene::first_of(problem);
+  const auto& pair = scene.contact[pair_named(scene, quantity.of, quantity.where)];
+  if (pair.law == scene::Law::bilateral || (pair.law == scene::Law::tresca && !pair.lifts_off))
+    refuse(quantity, "the sides of this contact keep together: they open nowhere");
   ContactWeights weights = contact_weights(scene, first, quantity);
   for (auto& weight : weights.below) weight = linear_below(weight, quantity);
   for (auto& weight : weights.above) weight = negated(linear_below(negated(weight), quantity));
@@ -180,7 +189,7 @@ Functionals<2> opening(const scene::Scene<2>& scene, const Problem<2>& problem, 
   result.offset_below = weighted_gap(problem, weights.below, false);
   result.offset_above = weighted_gap(problem, weights.above, true);
   if (!quantity.weight) result.scale = weights.length;
-  result.non_negative = is_non_negative(weights.below);
+  result.non_negative = is_non_negative(weights.below) && pair.law != scene::Law::winkler;
   result.weighted = weights.weighted;
   return result;
 }

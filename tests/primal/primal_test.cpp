@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "primal/elasticity.h"
-#include "primal/nodes.h"
+#include "primal/rows.h"
 #include "scene/offsets.h"
 #include "tests/support/scenes.h"
 

@@ -1,0 +1,107 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "bounds/estimate/on_mesh.h"
+#include "scene/problem/law.h"
+
+namespace bracket::bounds {
+
+using scene::ContactFacet;
+using scene::Vector;
+
+template <int dim>
+std::vector<double> plain_shear(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                const ContactFacet& pair) {
+  return along<dim>(tractions(problem.mesh, stress, pair.first), -scene::tangent(problem.facets[pair.first].normal));
+}
+
+template <int dim>
+std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                         const ContactFacet& pair, const Vector<dim>& direction) {
+  const auto& mesh = problem.mesh;
+  const auto& [a, b] = mesh.boundary[pair.first].vertices;
+  std::array<Vector<dim>, 2> ends = {displacement.vertex[a], displacement.vertex[b]};
+  auto offset = scene::offsets_on_facet(mesh, displacement, pair.first);
+  if (pair.second >= 0) {
+    const auto& [over_b, over_a] = mesh.boundary[pair.second].vertices;  // the second side runs the other way
+    ends[0] -= displacement.vertex[over_a];
+    ends[1] -= displacement.vertex[over_b];
+    const auto other = scene::offsets_on_facet(mesh, displacement, pair.second);
+    for (std::size_t k = 0; k < offset.size(); ++k) offset[k] -= other[other.size() - 1 - k];
+  }
+  std::vector<double> result = along<dim>(offset, direction);
+  for (int k = 0; k <= displacement.degree; ++k)
+    result[k] +=
+        scene::linear_coefficient<double>(ends[0].dot(direction), ends[1].dot(direction), displacement.degree, k);
+  return scene::raised_to<double>(2, result);
+}
+
+namespace {
+
+/// ∫ g_T |v_t|, or more, over a facet's parameter: by the coefficients' sizes, on halves as long as signs are mixed.
+double rubbing(const std::vector<double>& slip, const std::array<double, 2>& friction, int halvings) {
+  const bool mixed = std::ranges::any_of(slip, [](double c) { return c < 0; }) &&
+                     std::ranges::any_of(slip, [](double c) { return c > 0; });
+  if (!mixed || halvings == 0) {
+    std::vector<double> size;
+    for (const double c : slip) size.push_back(std::abs(c));
+    return scene::bernstein_product(size, std::vector<double>{friction[0], friction[1]});
+  }
+  const auto [left, right] = scene::halves(slip);
+  const double middle = 0.5 * (friction[0] + friction[1]);
+  return 0.5 *
+         (rubbing(left, {friction[0], middle}, halvings - 1) + rubbing(right, {middle, friction[1]}, halvings - 1));
+}
+
+}  // namespace
+
+template <int dim>
+double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                  const ContactFacet& pair) {
+  const Vector<dim>& d = problem.facets[pair.first].normal;
+  const double length = scene::length(problem.mesh, pair.first);
+  double energy = 0;
+  if (has_springs(pair.law)) {
+    std::vector<double> c = jump(problem, displacement, pair, d);
+    const auto gap =
+        scene::raised_to<double>(displacement.degree, std::vector<double>(pair.lower.begin(), pair.lower.end()));
+    for (std::size_t k = 0; k < c.size(); ++k) c[k] -= gap[k];
+    const auto& [k0, k1] = pair.law.modulus;
+    const std::vector<double> s = pair.law.two_sided ? c : scene::shortening({k0, k1}, c);
+    energy +=
+        0.5 * length * scene::bernstein_product(scene::bernstein_times<double>(s, s), std::vector<double>{k0, k1});
+  }
+  if (has_friction(pair.law))
+    energy += length * rubbing(jump<dim>(problem, displacement, pair, scene::tangent(d)), pair.law.friction,
+                               scene::halvings_of_slip);
+  return energy;
+}
+
+template <int dim>
+double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                const ContactFacet& pair) {
+  if (!has_springs(pair.law)) return 0;
+  const auto p = plain_pressure(problem, stress, pair);
+  const auto c = scene::compliance_on<double>(pair.law.modulus[0], pair.law.modulus[1]);
+  return 0.5 * scene::length(problem.mesh, pair.first) *
+         scene::bernstein_product(scene::bernstein_times<double>(p, p), std::vector<double>(c.begin(), c.end()));
+}
+
+template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& problem) {
+  std::vector<char> result(problem.facets.size(), 0);
+  for (const ContactFacet& pair : problem.contact) {
+    if (!has_friction(pair.law)) continue;
+    result[pair.first] = 1;
+    if (pair.second >= 0) result[pair.second] = 1;
+  }
+  return result;
+}
+
+template std::vector<double> plain_shear(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
+template std::vector<double> jump(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&,
+                                  const Vector<2>&);
+template double law_energy(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&);
+template double law_complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
+template std::vector<char> with_friction(const scene::Problem<2>&);
+
+}  // namespace bracket::bounds
