@@ -41,7 +41,7 @@ VectorXd step_to_boundary(const VectorXd& from, const VectorXd& to, std::vector<
 // Lawson & Hanson, Solving Least Squares Problems (1974), ch. 23. Each passage of the outer loop reduces the residual,
 // so no support comes twice; a row whose entry would not reduce it (its gradient was rounding) is set aside until the
 // residual falls.
-Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double explained) {
+Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double explained, const Limits& /*limits*/) {
   constexpr double flat = 64 * std::numeric_limits<double>::epsilon();
   const VectorXd size = rows.rowwise().norm();
   VectorXd pressure = VectorXd::Zero(rows.rows());

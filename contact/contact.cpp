@@ -192,7 +192,8 @@ const std::vector<System>& Bodies::systems() const { return factorised_->systems
 
 VectorXd Bodies::respond(int body, const VectorXd& force) const { return factorised_->condensed[body].apply(force); }
 
-Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, const std::vector<char>& guess) const {
+Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, const std::vector<char>& guess,
+                       const Limits& /*limits*/) const {
   const Factorised& bodies = *factorised_;
   assert(loads.size() == bodies.systems.size() && gap.size() == bodies.systems.front().rows.rows() &&
          (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));

@@ -23,6 +23,14 @@ struct System {
   std::vector<int> sequence = {};    ///< in which the nodes are eliminated, but for contact's; empty: as they are
 };
 
+/// Limits of the multipliers, row by row: lower ≤ p ≤ upper, −∞ or ∞ where there is none. Both empty: all [0, ∞).
+///     [0, ∞)   unilateral contact: the row may open
+///     (−∞, ∞)  bilateral: the row stays closed, p of either sign
+///     [−b, b]  friction up to b ≥ 0: the row sticks while |p| < b; with b = 0 it carries nothing
+struct Limits {
+  Eigen::VectorXd lower, upper;
+};
+
 /// Seconds spent, by phase.
 struct Phases {
   double assemble = 0;
@@ -85,9 +93,9 @@ class Bodies {
 
   const std::vector<System>& systems() const;
   /// \param loads f of each body   \param gap g, m
-  /// \param guess rows expected to be active (m entries, or empty: all)
+  /// \param guess rows expected to be active (m entries, or empty: all)   \param limits of p, lower ≤ upper
   Solution solve(const std::vector<Eigen::VectorXd>& loads, const Eigen::VectorXd& gap,
-                 const std::vector<char>& guess = {}) const;
+                 const std::vector<char>& guess = {}, const Limits& limits = {}) const;
   /// K⁺ f of one body; what f has of a resultant along a free motion is left out. For corrections by a residual that
   /// the caller can evaluate better than from u. \pre solve() did not end as not_definite
   Eigen::VectorXd respond(int body, const Eigen::VectorXd& force) const;
@@ -135,7 +143,7 @@ struct Balance {
 
 /// Non-negative least squares for Gᵀp = e; ends after finitely many steps.
 /// \param rows G, m × k   \param load e, k   \param explained residual that is taken for rounding
-Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double explained);
+Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double explained, const Limits& limits = {});
 
 /// An order of elimination with little fill: what each part of a nested dissection has to itself, before what separates
 /// it from the next one.
