@@ -21,7 +21,7 @@ constexpr const char* statuses =
     "or scene file; 3 mesh; 4 ill-posed problem; 5 budget or memory spent before the\n"
     "target, the bounds hold; 6 the bounds could not be guaranteed.";
 constexpr const char* introduction =
-    "Elastic bodies in frictionless contact: forces, displacements, stresses and the\n"
+    "Elastic bodies in contact: forces, displacements, stresses and the\n"
     "energy, each between two guaranteed bounds. bracket SCENE is bracket run SCENE.";
 
 /// All that can be asked for.

@@ -8,6 +8,7 @@
 #include "apps/commands/say.h"
 #include "apps/report/json.h"
 #include "apps/report/lines.h"
+#include "apps/report/pairs.h"
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
 
@@ -130,12 +131,13 @@ Pair pair_of(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int
 }
 
 std::string text(const Pair& pair) {
-  return fmt::format("  {} on {}: {} edges; gap {:.4g} to {:.4g}\n", name(pair.sides.first), name(pair.sides.second),
-                     pair.facets, pair.smallest, pair.largest);
+  return fmt::format("  {} on {}, {}: {} edges; gap {:.4g} to {:.4g}\n", name(pair.sides.first),
+                     name(pair.sides.second), law_text(pair.sides), pair.facets, pair.smallest, pair.largest);
 }
 Json json(const Pair& pair) {
   return {{"first", pair.sides.first.parts},
           {"second", pair.sides.second.parts},
+          {"law", name(pair.sides.law)},
           {"edges", pair.facets},
           {"gap", {{"smallest", pair.smallest}, {"largest", pair.largest}}}};
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/plots/pictures.h"
+#include "apps/report/pairs.h"
 #include "apps/report/samples.h"
 
 namespace bracket::apps {
@@ -84,6 +85,7 @@ std::string certain_zones(const Report& report, int pair, double length) {
 std::string panel(const Report& report, int pair) {
   const Unrolled line = unroll(report, pair);
   const double top = drawn_pressure(report, pair), widest = drawn_gap(report, pair);
+  const double bottom = -std::max(0.08 * top, 1.15 * summary(report, pair).largest_tension);
   const bool none = line.pressed.find_first_not_of('\n') == std::string::npos;
   const std::string zones = certain_zones(report, pair, line.length);
   const std::string certain =
@@ -95,8 +97,8 @@ std::string panel(const Report& report, int pair) {
       "'-' with lines lw 1.2 lc rgb '{}' title 'displacements', "
       "'-' axes x1y2 with lines lw 1.8 dt (6,3) lc rgb '#3f8f3f' title 'gap left'\n"
       "{}{}e\n{}e\n{}e\n{}e\n",
-      quoted(pair_name(report.scene.contact[pair])), line.length, -0.08 * top, top, -0.08 * widest, widest, certain,
-      0.03 * top, -0.08 * top, stress_colour, displacement_colour, zones.empty() ? "" : zones + "e\n",
+      quoted(pair_name(report.scene.contact[pair])), line.length, bottom, top, bottom / top * widest, widest, certain,
+      0.03 * top, bottom, stress_colour, displacement_colour, zones.empty() ? "" : zones + "e\n",
       none ? "0 0\n" : line.pressed, line.equilibrated, line.of_displacement, line.gap);
 }
 

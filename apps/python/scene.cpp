@@ -85,8 +85,11 @@ void set_number(Scene& scene, scene::ConditionKind kind, const std::string& part
 }
 
 void add_contact(Scene& scene, const py::object& first, const py::object& second, const py::object& gap,
-                 const std::string& name, int zones) {
+                 const std::string& name, int zones, const std::string& law, const py::object& value, bool lifts_off) {
   scene::ContactPair<2> pair;
+  pair.law = option_of<scene::Law>(law, "law");
+  if (!value.is_none()) pair.value = function_of(value, "value");
+  pair.lifts_off = lifts_off;
   pair.first = names_of(first, "first");
   if (py::isinstance<scene::LineObstacle>(second))
     pair.second = second.cast<scene::LineObstacle>();
@@ -207,10 +210,13 @@ void add_parts(py::class_<Scene>& scene) {
           "The material of a body. E: force by area. stiffness: (3, 3), stress (xx, yy, xy) by strain (xx, yy, 2 xy).\n"
           "body_force: force by volume.")
       .def("add_contact", add_contact, py::arg("first"), py::arg("second"), py::arg("gap") = none, py::kw_only(),
-           py::arg("name") = "", py::arg("zones") = 0,
-           "Contact without friction. first: a boundary part, or a list of them. second: likewise, or\n"
+           py::arg("name") = "", py::arg("zones") = 0, py::arg("law") = "frictionless", py::arg("value") = none,
+           py::arg("lifts_off") = true,
+           "Contact of two sides. first: a boundary part, or a list of them. second: likewise, or\n"
            "\"rigid\", a wall along the first, a Line or a Circle. gap: a length, < 0 for interference;\n"
-           "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.")
+           "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.\n"
+           "law: \"bilateral\", without lift-off; \"winkler\", springs of modulus `value`, force by area and length;\n"
+           "\"tresca\", friction up to a shear `value`, force by area. lifts_off: whether the sides of these two part.")
       .def("add_bond", add_bond, py::arg("first"), py::arg("second"),
            "Two sides that stick, whatever pulls or shears; each a boundary part, or a list of them. They coincide "
            "node\n"

@@ -55,7 +55,13 @@ std::vector<Finding> of_contact(const Report& report, int pair, const Units& uni
   Finding& largest = add("largest_pressure", summary.largest_pressure, units.stress);
   if (summary.largest_pressure > 0) largest.at = summary.at;
   if (!summary.grows.empty()) largest.note = "grows with refinement: " + summary.grows;
-  if (is_guaranteed(report)) {
+  if (scene::is_two_sided(given)) add("largest_tension", summary.largest_tension, units.stress);
+  if (given.law == scene::Law::winkler) add("largest_shortening", summary.largest_shortening, units.length);
+  if (given.law == scene::Law::tresca) {
+    add("shear_force", summary.shear, units.force);
+    add("largest_slip", summary.largest_slip, units.length);
+  }
+  if (is_guaranteed(report) && given.law != scene::Law::winkler) {
     Finding& penetration = add("largest_penetration", 0, units.length);
     penetration.bounds = Between{0, 0};
     penetration.note = "by construction";

@@ -39,7 +39,8 @@ struct Finding {
 };
 
 /// Of each contact: force (by λ_h; with bounds where the scene asks for it), length, pressed length, mean and largest
-/// pressure, largest penetration (0: the displacement of the upper bound has none), largest gap, what its open part
+/// pressure, as its law has it the largest tension, the shortening of springs, shear force and slip, the largest
+/// penetration (0: the displacement of the upper bound has none), largest gap, what its open part
 /// carries, the forces of its zones. Of each support the reaction of λ_h. Of all bodies the largest displacement u_h at
 /// a node, and the largest von Mises stress of ½ (σ(u_h) + λ_h), left out where the stress across the plane is not
 /// known.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "apps/report/html.h"
+#include "apps/report/pairs.h"
 
 namespace bracket::apps {
 namespace {
@@ -112,9 +113,10 @@ std::string contact(const Report& report) {
       for (const double value : {facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]}) gap.add(value);
     }
     const auto& names = report.scene.contact[pair];
-    rows.push_back({escaped(name(names.first)), escaped(name(names.second)), gap.text(), fmt::to_string(edges)});
+    rows.push_back({escaped(name(names.first)), escaped(name(names.second)), law_text(names), gap.text(),
+                    fmt::to_string(edges)});
   }
-  return html_table({"first side", "second side", "initial gap", "edges"}, rows, 2, "Contact pairs");
+  return html_table({"first side", "second side", "law", "initial gap", "edges"}, rows, 3, "Contact pairs");
 }
 
 std::string settings(const scene::Scene<2>& scene) {
@@ -136,7 +138,7 @@ std::string settings(const scene::Scene<2>& scene) {
 
 std::string html_scene(const Report& report) {
   std::string html = bodies(report) + "<h3>Boundary</h3>\n" + boundary(report.outcome.problem);
-  if (!report.scene.contact.empty()) html += "<h3>Contact without friction</h3>\n" + contact(report);
+  if (!report.scene.contact.empty()) html += "<h3>Contact</h3>\n" + contact(report);
   return html + "<h3>Settings</h3>\n" + settings(report.scene);
 }
 

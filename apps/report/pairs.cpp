@@ -41,6 +41,17 @@ std::string pair_name(const scene::ContactPair<2>& pair) {
   return pair.name.empty() ? name(pair.first) + " on " + name(pair.second) : pair.name;
 }
 
+std::string law_text(const scene::ContactPair<2>& pair) {
+  switch (pair.law) {
+    case scene::Law::frictionless: return "without friction";
+    case scene::Law::bonded: return "bonded";
+    case scene::Law::bilateral: return "without friction or lift-off";
+    case scene::Law::winkler: return pair.lifts_off ? "on springs" : "on springs that pull, too";
+    case scene::Law::tresca: return pair.lifts_off ? "with friction up to a bound" : "with friction up to a bound, no lift-off";
+  }
+  return "";
+}
+
 PairSummary summary(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
@@ -53,12 +64,20 @@ PairSummary summary(const Report& report, int pair) {
       for (const double p : pressure) result.force += length * p / static_cast<double>(pressure.size());
       result.length += length;
       if (presses(report.contact[chain[i]], rounding)) result.pressed_length += length;
+      for (const double p : samples(pressure)) result.largest_tension = std::max(result.largest_tension, -p);
+      if (has_friction(problem.contact[chain[i]].law)) {
+        const auto [shear, slip] = bounds::shear_and_slip(problem, report.outcome.displacement, report.outcome.stress,
+                                                          problem.contact[chain[i]]);
+        for (const double t : shear) result.shear += length * t / static_cast<double>(shear.size());
+        for (const double v : samples(slip)) result.largest_slip = std::max(result.largest_slip, std::abs(v));
+      }
       const auto place = [&](std::size_t k, std::size_t last) -> scene::Vector<2> {
         const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[first].vertices);
         return k == last ? b : scene::Vector<2>(a + static_cast<double>(k) / static_cast<double>(last) * (b - a));
       };
       const std::vector<double> gaps = samples(report.contact[chain[i]].gap_left);
       for (std::size_t k = 0; k < gaps.size(); ++k) {
+        result.largest_shortening = std::max(result.largest_shortening, -gaps[k]);
         if (gaps[k] <= result.largest_gap) continue;
         result.largest_gap = gaps[k];
         result.gap_at = place(k, gaps.size() - 1);

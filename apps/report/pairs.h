@@ -5,6 +5,9 @@
 
 namespace bracket::apps {
 
+/// What its law is, in words: "without friction".
+std::string law_text(const scene::ContactPair<2>& pair);
+
 /// What a contact pair transmits by λ_h, and what u_h leaves of its gap: computed, not guaranteed.
 struct PairSummary {
   double force = 0;  ///< ∫ p
@@ -17,6 +20,10 @@ struct PairSummary {
   double pressed_length = 0;  ///< of those on which p > 0 somewhere
   double largest_gap = 0;     ///< that u_h leaves
   scene::Vector<2> gap_at = scene::Vector<2>::Zero();
+  double largest_tension = 0;     ///< −p, of sides that cannot part
+  double largest_shortening = 0;  ///< r(u_h) − g, of springs
+  double shear = 0;               ///< ∫ τ, with friction; and the largest |v_t(u_h)|
+  double largest_slip = 0;
 };
 PairSummary summary(const Report& report, int pair);
 

@@ -166,7 +166,8 @@ Json contact_json(const Report& report, const std::vector<Finding>& rows) {
     const PairSummary of = summary(report, i);
     Json& pair = pairs.emplace_back(Json{{"name", report.scene.contact[i].name},
                                          {"first", name(report.scene.contact[i].first)},
-                                         {"second", name(report.scene.contact[i].second)}});
+                                         {"second", name(report.scene.contact[i].second)},
+                                         {"law", name(report.scene.contact[i].law)}});
     for (const Finding& row : rows)
       if (row.contact == i) put(pair, row);
     pair["at"] = {of.at[0], of.at[1]};

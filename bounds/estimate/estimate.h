@@ -117,6 +117,14 @@ template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
                                         const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
+/// The shear τ of λ_h and the slip v_t of u_h on a contact facet, likewise (scene/problem/law.h).
+struct ShearAndSlip {
+  std::vector<double> shear, slip;
+};
+template <int dim>
+ShearAndSlip shear_and_slip(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                            const scene::Stress<dim>& stress, const scene::ContactFacet& pair);
+
 /// Bulk marking (Dörfler): as few cells as carry `bulk` of the sum of the indicators, a contact facet's share split
 /// between the cells at it. \return 1 per marked cell   \pre 0 < bulk ≤ 1
 template <int dim> std::vector<char> mark(const scene::Problem<dim>& problem, const Indicator& indicator, double bulk);

@@ -36,6 +36,13 @@ std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displa
   return scene::raised_to<double>(2, result);
 }
 
+template <int dim>
+ShearAndSlip shear_and_slip(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                            const scene::Stress<dim>& stress, const ContactFacet& pair) {
+  return {plain_shear(problem, stress, pair),
+          jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal))};
+}
+
 namespace {
 
 /// ∫ g_T |v_t|, or more, over a facet's parameter: by the coefficients' sizes, on halves as long as signs are mixed.
@@ -100,6 +107,8 @@ template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& pr
 template std::vector<double> plain_shear(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
 template std::vector<double> jump(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&,
                                   const Vector<2>&);
+template ShearAndSlip shear_and_slip(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
+                                     const ContactFacet&);
 template double law_energy(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&);
 template double law_complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
 template std::vector<char> with_friction(const scene::Problem<2>&);

@@ -106,6 +106,9 @@ class Scene:
         *,
         name: str = "",
         zones: int = 0,
+        law: Literal["frictionless", "bilateral", "winkler", "tresca"] = "frictionless",
+        value: _Function | None = None,
+        lifts_off: bool = True,
     ) -> None: ...
     def add_bond(self, first: str | Sequence[str], second: str | Sequence[str]) -> None: ...
     def add_curve(self, part: str, *, center: _Pair | None = None, radius: float | None = None) -> None: ...
