@@ -113,8 +113,8 @@ std::string contact(const Report& report) {
       for (const double value : {facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]}) gap.add(value);
     }
     const auto& names = report.scene.contact[pair];
-    rows.push_back({escaped(name(names.first)), escaped(name(names.second)), law_text(names), gap.text(),
-                    fmt::to_string(edges)});
+    rows.push_back(
+        {escaped(name(names.first)), escaped(name(names.second)), law_text(names), gap.text(), fmt::to_string(edges)});
   }
   return html_table({"first side", "second side", "law", "initial gap", "edges"}, rows, 3, "Contact pairs");
 }

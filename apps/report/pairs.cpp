@@ -47,7 +47,8 @@ std::string law_text(const scene::ContactPair<2>& pair) {
     case scene::Law::bonded: return "bonded";
     case scene::Law::bilateral: return "without friction or lift-off";
     case scene::Law::winkler: return pair.lifts_off ? "on springs" : "on springs that pull, too";
-    case scene::Law::tresca: return pair.lifts_off ? "with friction up to a bound" : "with friction up to a bound, no lift-off";
+    case scene::Law::tresca:
+      return pair.lifts_off ? "with friction up to a bound" : "with friction up to a bound, no lift-off";
   }
   return "";
 }

@@ -94,7 +94,8 @@ std::string scope(const Report& report) {
       "{}"
       "<li>The bodies are the triangles of the mesh, coordinates as they are rounded; sides whose directions differ by "
       "less than 1e-6 are taken as parallel.</li>\n"
-      "<li>Friction by Coulomb's law, large displacements, curved edges and material laws other than linear elasticity are outside of "
+      "<li>Friction by Coulomb's law, large displacements, curved edges and material laws other than linear elasticity "
+      "are outside of "
       "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), report.outcome.guarantee, exact ? fixed_data : "",

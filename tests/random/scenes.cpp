@@ -5,20 +5,22 @@
 #include <map>
 
 #include "tests/support/interval_faults.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/random_laws.h"
 
-/// bracket_random_scenes FIRST LAST: judges the random scenes of these seeds and prints those with a fault, then how
-/// often each status occurred. Exit status 1 if there was a fault.
+/// bracket_random_scenes FIRST LAST [laws]: judges the random scenes of these seeds, with a law for each contact or
+/// without friction, and prints those with a fault, then how often each status occurred. Exit status 1 if there was a
+/// fault.
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    fmt::print(stderr, "usage: bracket_random_scenes FIRST LAST\n");
+  const bool laws = argc == 4 && argv[3] == std::string("laws");
+  if (argc != 3 && !laws) {
+    fmt::print(stderr, "usage: bracket_random_scenes FIRST LAST [laws]\n");
     return 2;
   }
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), last = std::strtoull(argv[2], nullptr, 10);
   std::map<int, int> endings;
   int failed = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
-    const auto random = bracket::tests::random_scene(seed);
+    const auto random = laws ? bracket::tests::random_laws(seed) : bracket::tests::random_scene(seed);
     const auto verdict = bracket::tests::judge(random.scene, random.mesh);
     ++endings[static_cast<int>(verdict.status)];
     if (verdict.faults.empty()) continue;
