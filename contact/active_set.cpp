@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "contact/limits.h"
 #include "contact/statics.h"
 
 namespace bracket::contact {
@@ -17,6 +18,24 @@ namespace {
 /// Whether no pivot of a Cholesky factor is lost: its square is no rounding of the diagonal entry it came from.
 bool regular(const VectorXd& pivots, const VectorXd& diagonal) {
   return (pivots.array().square() > 1e-12 * diagonal.array()).all();
+}
+
+/// Where block_active_set() has a row.
+enum class Place : char { active, rest, lower, upper };
+
+Place off(const Limits& limits, Index row, double pressure) {
+  return pressure == limits.lower[row] ? Place::lower : pressure == limits.upper[row] ? Place::upper : Place::rest;
+}
+
+/// Where a row goes. \param pressure p of this step   \param slack its slack, zero within rounding counts as zero
+Place next(const Limits& limits, Index row, Place place, double pressure, double slack) {
+  if (place == Place::active)
+    return !(pressure > limits.lower[row]) ? Place::lower : pressure < limits.upper[row] ? place : Place::upper;
+  if (!(violation(limits, row, pressure, slack) > 0)) return place;
+  if (place != Place::rest) return Place::active;
+  const Place towards = slack < 0 ? Place::upper : Place::lower;
+  const double limit = slack < 0 ? limits.upper[row] : limits.lower[row];
+  return std::isfinite(limit) ? towards : Place::active;
 }
 
 }  // namespace
@@ -35,6 +54,7 @@ Scaled scaled(const Interface& problem) {
   to.size = row.cwiseProduct(problem.size);
   to.motion = row.asDiagonal() * problem.motion;
   to.load = problem.load;
+  to.limits = scaled(complete(problem.limits, row.size()), row.cwiseInverse());
   if (k == 0) return result;
   Orthonormal found = orthonormal(to.motion);
   to.motion = std::move(found.q);
@@ -80,19 +100,26 @@ std::optional<Held> held(const MatrixXd& left, const VectorXd& right, const Vect
   return result;
 }
 
-Equality equality(Index m, const std::vector<Index>& active, const Held& held, const VectorXd& sum,
+Held sum(const Held& a, const Held& b) {
+  Held result{MatrixXd(a.parts.rows(), a.parts.cols() + b.parts.cols()), a.motion + b.motion,
+              a.motion_size + b.motion_size};
+  result.parts << a.parts, b.parts;
+  return result;
+}
+
+Equality equality(const std::vector<Index>& active, const VectorXd& given, const Held& held, const VectorXd& sum,
                   const MatrixXd& parts) {
-  Equality result{VectorXd::Zero(m), held.motion, VectorXd::Zero(m), held.motion_size};
+  Equality result{given, held.motion, given.cwiseAbs(), held.motion_size};
   result.pressure(active) = sum;
   result.pressure_size(active) = parts.cwiseAbs().rowwise().sum();
   return result;
 }
 
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Index>& active,
-                                     const VectorXd& overlap, const VectorXd& load) {
+                                     const VectorXd& overlap, const VectorXd& load, const VectorXd& given) {
   if (active.empty()) {
-    const VectorXd none = VectorXd::Zero(overlap.size());
-    return load.size() == 0 ? std::optional(Equality{none, load, none, load}) : std::nullopt;
+    const VectorXd none = VectorXd::Zero(0);
+    return load.size() == 0 ? std::optional(Equality{given, none, given.cwiseAbs(), none}) : std::nullopt;
   }
   // G Gᵀ makes F definite and adds nothing but G e where Gᵀp = e.
   const MatrixXd motion = problem.motion(active, Eigen::all);
@@ -104,30 +131,46 @@ std::optional<Equality> solve_closed(const Interface& problem, const std::vector
 
   const auto lower = definite.triangularView<Eigen::Lower>();
   const MatrixXd left = motion.size() > 0 ? MatrixXd(lower.solve(motion)) : motion;
-  const VectorXd right = lower.solve(VectorXd(overlap(active) + motion * load));
-  const auto found = held(left, right, load);
+  const auto response = [&](const VectorXd& of_overlap, const VectorXd& of_load) {
+    return held(left, lower.solve(VectorXd(of_overlap(active) + motion * of_load)), of_load);
+  };
+  auto found = response(overlap, load);
   if (!found) return {};
+  if (!given.isZero(0))
+    found = sum(*found, *response(-(problem.compliance * given), -(problem.motion.transpose() * given)));
   const auto upper = definite.transpose().triangularView<Eigen::Upper>();
-  return equality(overlap.size(), active, *found, upper.solve(VectorXd(found->parts.rowwise().sum())),
+  return equality(active, given, *found, upper.solve(VectorXd(found->parts.rowwise().sum())),
                   upper.solve(found->parts));
 }
 
-std::optional<Pressure> block_active_set(const Interface& problem, std::vector<char> guess) {
+std::optional<Pressure> block_active_set(const Interface& problem, const std::vector<char>& guess) {
   constexpr int most = 30;
+  const Limits& limits = problem.limits;
   const Index m = problem.overlap.size();
-  std::set<std::vector<char>> seen;
-  for (int iteration = 1; iteration <= most && seen.insert(guess).second; ++iteration) {
+  VectorXd pressure = at_rest(limits);
+  std::vector<Place> places(static_cast<std::size_t>(m));
+  for (Index i = 0; i < m; ++i) {
+    const bool bilateral = std::isinf(limits.lower[i]) && std::isinf(limits.upper[i]);
+    places[i] = (guess[i] && !is_fixed(limits, i)) || bilateral ? Place::active : off(limits, i, pressure[i]);
+  }
+  std::set<std::vector<Place>> seen;
+  for (int iteration = 1; iteration <= most && seen.insert(places).second; ++iteration) {
     std::vector<Index> active;
-    for (Index i = 0; i < m; ++i)
-      if (guess[i]) active.push_back(i);
-    const auto closed = solve_closed(problem, active, problem.overlap, problem.load);
+    for (Index i = 0; i < m; ++i) switch (places[i]) {
+        case Place::active: active.push_back(i); [[fallthrough]];
+        case Place::rest: pressure[i] = 0; break;
+        case Place::lower: pressure[i] = limits.lower[i]; break;
+        case Place::upper: pressure[i] = limits.upper[i]; break;
+      }
+    const auto closed = solve_closed(problem, active, problem.overlap, problem.load, pressure);
     if (!closed) return {};
     const VectorXd left = slack(problem, closed->pressure, closed->motion);
     const VectorXd rounding = slack_rounding(problem, *closed);
-    std::vector<char> next(static_cast<std::size_t>(m));
-    for (Index i = 0; i < m; ++i) next[i] = guess[i] ? closed->pressure[i] > 0 : left[i] < -rounding[i];
-    if (next == guess) return Pressure{Termination::solved, closed->pressure, closed->motion, active, iteration};
-    guess = std::move(next);
+    std::vector<Place> changed = places;
+    for (Index i = 0; i < m; ++i)
+      changed[i] = next(limits, i, places[i], closed->pressure[i], std::abs(left[i]) > rounding[i] ? left[i] : 0.0);
+    if (changed == places) return Pressure{Termination::solved, closed->pressure, closed->motion, active, iteration};
+    places = std::move(changed);
   }
   return {};
 }

@@ -5,10 +5,12 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "contact/active_set.h"
 #include "contact/clock.h"
 #include "contact/condensed.h"
+#include "contact/limits.h"
 #include "contact/statics.h"
 
 namespace bracket::contact {
@@ -31,13 +33,16 @@ VectorXd approach(const std::vector<System>& bodies, const std::vector<VectorXd>
   return result;
 }
 
-Pressure minimise(const Scaled& interface, const VectorXd& start, const std::vector<char>& guess) {
+/// \param start p, limits those of the rows before they were scaled
+Pressure minimise(const Scaled& interface, const VectorXd& start, const Limits& limits,
+                  const std::vector<char>& guess) {
   if (start.size() == 0) return {};
   const std::vector<char> all(static_cast<std::size_t>(start.size()), 1);
   std::optional<Pressure> found = block_active_set(interface.problem, guess.empty() ? all : guess);
   if (found) return *found;
   try {
-    return primal_active_set(interface.problem, start.cwiseQuotient(interface.row));
+    return primal_active_set(interface.problem,
+                             scaled(start, interface.row.cwiseInverse(), limits, interface.problem.limits));
   } catch (const HeldByRounding&) {
     Pressure none;
     none.termination = Termination::not_definite;
@@ -51,6 +56,33 @@ struct State {
   VectorXd pressure;              ///< p
   VectorXd motion;                ///< α, of the motions that contact resists
 };
+
+/// What is given to it.
+struct Given {
+  const std::vector<VectorXd>& loads;
+  const VectorXd& gap;
+  const Limits& limits;    ///< complete
+  const Statics& statics;  ///< of the rows that are not fixed
+  const VectorXd& load;    ///< e, what these balance
+};
+
+/// Rows whose p is given; empty: none is.
+std::vector<char> fixed_rows(const Limits& limits) {
+  std::vector<char> result(static_cast<std::size_t>(limits.lower.size()));
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = is_fixed(limits, static_cast<Index>(i));
+  return std::count(result.begin(), result.end(), 1) > 0 ? result : std::vector<char>();
+}
+
+/// The loads less what the fixed rows take of them.
+std::vector<VectorXd> left_by_fixed(std::vector<VectorXd> loads, const std::vector<System>& bodies,
+                                    const Limits& limits, const std::vector<char>& fixed) {
+  VectorXd pressure = VectorXd::Zero(limits.lower.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (fixed[i]) pressure[static_cast<Index>(i)] = limits.lower[static_cast<Index>(i)];
+  if (!pressure.isZero(0))
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies[b].rows.transpose() * pressure;
+  return loads;
+}
 
 /// A motion given in the bodies' bases, in terms of their `rigid`, its largest entry one.
 std::vector<VectorXd> in_terms_of_rigid(const std::vector<System>& bodies, const std::vector<Motions>& bases,
@@ -89,42 +121,46 @@ struct Bodies::Factorised {
   MatrixXd compliance;  ///< F
   Phases seconds;
 
-  Interface interface(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced) const;
-  State refined(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced,
-                const Scaled& interface, const std::vector<Index>& active, State state) const;
-  std::vector<VectorXd> displacements(const State& state) const;
+  Interface interface(const Given& given) const;
+  State refined(const Given& given, const Scaled& interface, const std::vector<Index>& active, State state) const;
+  std::vector<VectorXd> displacements(const Statics& of, const State& state) const;
 };
 
-/// \param balanced e
-Interface Bodies::Factorised::interface(const std::vector<VectorXd>& loads, const VectorXd& gap,
-                                        const VectorXd& balanced) const {
+Interface Bodies::Factorised::interface(const Given& given) const {
   std::vector<VectorXd> unhindered;
-  for (std::size_t b = 0; b < systems.size(); ++b) unhindered.push_back(condensed[b].apply(loads[b]));
+  for (std::size_t b = 0; b < systems.size(); ++b) unhindered.push_back(condensed[b].apply(given.loads[b]));
   const VectorXd free_approach = approach(systems, unhindered);
-  return {compliance, free_approach - gap, free_approach.cwiseAbs() + gap.cwiseAbs(), statics.rows, balanced};
+  return {compliance,
+          free_approach - given.gap,
+          free_approach.cwiseAbs() + given.gap.cwiseAbs(),
+          given.statics.rows,
+          given.load,
+          given.limits};
 }
 
 /// One step of iterative refinement on the whole: what K u + Bᵀ p = f, the closed rows and Gᵀ p = e still lack.
 /// Rigid motions stay out of the residuals, so a large one does no harm. The rounding of all n rows of K adds up along
 /// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
-State Bodies::Factorised::refined(const std::vector<VectorXd>& loads, const VectorXd& gap, const VectorXd& balanced,
-                                  const Scaled& interface, const std::vector<Index>& active, State state) const {
+State Bodies::Factorised::refined(const Given& given, const Scaled& interface, const std::vector<Index>& active,
+                                  State state) const {
   std::vector<VectorXd> residual;
-  VectorXd misfit = statics.rows * state.motion - gap;
+  VectorXd misfit = given.statics.rows * state.motion - given.gap;
   for (std::size_t b = 0; b < systems.size(); ++b) {
     const System& body = systems[b];
     VectorXd carried = body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
     const MatrixXd& basis = bases[b].basis;  // basisᵀ basis = n
     if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
-    residual.push_back(loads[b] - body.rows.transpose() * state.pressure - carried);
+    residual.push_back(given.loads[b] - body.rows.transpose() * state.pressure - carried);
     misfit += body.rows * (state.elastic[b] + condensed[b].apply(residual[b]));
   }
-  VectorXd change = VectorXd::Zero(gap.size());
+  const VectorXd none = VectorXd::Zero(given.gap.size());
+  VectorXd change = none;
   if (!active.empty()) {
     const MatrixXd transposed = interface.motion.transpose();
     const auto closed = solve_closed(
         interface.problem, active, interface.row.cwiseProduct(misfit),
-        transposed.triangularView<Eigen::Lower>().solve(balanced - statics.rows.transpose() * state.pressure));
+        transposed.triangularView<Eigen::Lower>().solve(given.load - given.statics.rows.transpose() * state.pressure),
+        none);
     if (closed) {
       change = closed->pressure.cwiseProduct(interface.row);
       state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
@@ -132,15 +168,15 @@ State Bodies::Factorised::refined(const std::vector<VectorXd>& loads, const Vect
   }
   for (std::size_t b = 0; b < systems.size(); ++b)
     state.elastic[b] += elastic_displacement(systems[b], condensed[b], residual[b], change);
-  state.pressure = (state.pressure + change).cwiseMax(0);
+  state.pressure = clamped(state.pressure + change, given.limits);
   return state;
 }
 
 /// u of each body: of all solutions the one that moves least.
-std::vector<VectorXd> Bodies::Factorised::displacements(const State& state) const {
-  VectorXd motion = VectorXd::Zero(statics.free.rows());
-  motion(statics.resisted) = state.motion;
-  motion -= statics.free * (statics.free.transpose() * motion);
+std::vector<VectorXd> Bodies::Factorised::displacements(const Statics& of, const State& state) const {
+  VectorXd motion = VectorXd::Zero(of.free.rows());
+  motion(of.resisted) = state.motion;
+  motion -= of.free * (of.free.transpose() * motion);
   std::vector<VectorXd> result;
   Index first = 0;
   for (std::size_t b = 0; b < systems.size(); ++b) {
@@ -193,14 +229,20 @@ const std::vector<System>& Bodies::systems() const { return factorised_->systems
 VectorXd Bodies::respond(int body, const VectorXd& force) const { return factorised_->condensed[body].apply(force); }
 
 Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, const std::vector<char>& guess,
-                       const Limits& /*limits*/) const {
+                       const Limits& given_limits) const {
   const Factorised& bodies = *factorised_;
   assert(loads.size() == bodies.systems.size() && gap.size() == bodies.systems.front().rows.rows() &&
          (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));
   Solution solution;
   Clock watch;
   solution.seconds = bodies.seconds;
-  const BalancedLoad balanced = balanced_load(bodies.statics, bodies.bases, loads);
+  const Limits limits = complete(given_limits, gap.size());
+  const std::vector<char> fixed = fixed_rows(limits);
+  const std::optional<Statics> without_fixed =
+      fixed.empty() ? std::nullopt : std::optional(statics(bodies.systems, bodies.bases, fixed));
+  const Statics& of_rows = without_fixed ? *without_fixed : bodies.statics;
+  const BalancedLoad balanced =
+      balanced_load(of_rows, bodies.bases, left_by_fixed(loads, bodies.systems, limits, fixed), limits);
   solution.imbalance = balanced.imbalance;
   if (!balanced.possible) {
     solution.termination = Termination::no_equilibrium;
@@ -213,21 +255,22 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
     return solution;
   }
 
-  const Scaled interface = scaled(bodies.interface(loads, gap, balanced.load));
-  const Pressure found = minimise(interface, balanced.pressure, guess);
+  const Given given{loads, gap, limits, of_rows, balanced.load};
+  const Scaled interface = scaled(bodies.interface(given));
+  const Pressure found = minimise(interface, balanced.pressure, limits, guess);
   solution.iterations = found.iterations;
   solution.termination = found.termination;
   solution.seconds.contact += watch.lap();
   if (found.termination != Termination::solved) return solution;
 
   State state{{},
-              interface.row.cwiseProduct(found.pressure),
+              scaled(found.pressure, interface.row, interface.problem.limits, limits),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < loads.size(); ++b)
     state.elastic.push_back(elastic_displacement(bodies.systems[b], bodies.condensed[b], loads[b], state.pressure));
-  state = bodies.refined(loads, gap, balanced.load, interface, found.active, std::move(state));
+  state = bodies.refined(given, interface, found.active, std::move(state));
 
-  solution.displacement = bodies.displacements(state);
+  solution.displacement = bodies.displacements(of_rows, state);
   solution.elastic = std::move(state.elastic);
   solution.pressure = std::move(state.pressure);
   solution.active.assign(gap.size(), 0);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// Elastic bodies in frictionless contact, reduced to their common interface (docs/theory.md §5): bodies as sparse
-/// systems in, pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
+/// Elastic bodies in contact, reduced to their common interface (docs/theory.md §5): bodies as sparse systems in,
+/// pressures, displacements and rigid motions out. Knows no finite element: both formulations come here.
 namespace bracket::contact {
 
 /// One body: K u = f − Bᵀ p, where u are its unknowns, f the load and p the multipliers of all contact rows.
@@ -52,8 +52,8 @@ struct Statistics {
 
 enum class Termination {
   solved,
-  no_equilibrium,  ///< no p ≥ 0 balances the loads: `motion` gains energy without end
-  contradiction,   ///< no u satisfies all rows: r ≤ g cannot be met
+  no_equilibrium,  ///< no p within its limits balances the loads: `motion` gains energy without end
+  contradiction,   ///< no u satisfies all rows: r ≤ g, or r = g where p has no limits, cannot be met
   not_converged,   ///< an iteration in place of Bodies::solve() came to its limit; that itself ends after finitely many
                    ///< steps
   not_definite     ///< in floating point a stiffness is not positive definite beside its rigid motions (`body` says
@@ -66,21 +66,26 @@ struct Solution {
   /// u less its rigid motion: strains and stresses come from it free of the rounding that a large motion brings (a
   /// stiff body on a soft one).
   std::vector<Eigen::VectorXd> elastic;
-  Eigen::VectorXd pressure;  ///< p ≥ 0, m; exactly 0 off the active rows
-  std::vector<char> active;  ///< m: 1 where the row is closed (p may be > 0)
+  Eigen::VectorXd pressure;  ///< p, m; within its limits exactly, off the active rows at one of them (or at 0, between
+                             ///< them, where r = g without the row's help)
+  std::vector<char> active;  ///< m: 1 where r = g is held by a p that may be between its limits: closed, or sticking
   int iterations = 0;        ///< of the active set
   /// Largest imbalance of load along a rigid motion that no contact row resists, by the size of the loads; at rounding
   /// level, else `no_equilibrium`.
   double imbalance = 0;
-  std::vector<Eigen::VectorXd> motion;  ///< no_equilibrium: coefficients y of each body's `rigid` with G y ≤ 0, eᵀy > 0
-  int body = -1;                        ///< not_definite
-  Phases seconds;                       ///< with those of the factorisation that it used
+  /// no_equilibrium: coefficients y of each body's `rigid`, as Balance has it: G y ≤ 0 and eᵀy > 0 where p ≥ 0 only,
+  /// and else what friction cannot hold.
+  std::vector<Eigen::VectorXd> motion;
+  int body = -1;   ///< not_definite
+  Phases seconds;  ///< with those of the factorisation that it used
 };
 
 /// Bodies and their contact, each stiffness factorised once, to be solved for any loads and gaps:
 ///     min Σ (½ uᵀK u − fᵀu)  subject to  Σ B u ≤ g,  by the problem in the multipliers,
 ///     min ½ pᵀF p − pᵀ(Σ B K⁺ f − g)  over  p ≥ 0, Gᵀp = e;   F = Σ B K⁺ Bᵀ, G = [B R], e = Rᵀf.
-/// Without rows (m = 0) each body is just solved; without rigid motions nothing is balanced.
+/// With other limits of p than [0, ∞) it is the latter, and the slack g − r is ≥ 0 where p is at its lower limit, ≤ 0
+/// at its upper one, 0 between: in place of r ≤ g the energy has Σ max(lower (r − g), upper (r − g)). Without rows (m =
+/// 0) each body is just solved; without rigid motions nothing is balanced.
 class Bodies {
  public:
   /// Factorises them, the unknowns that rows touch last.
@@ -93,7 +98,7 @@ class Bodies {
 
   const std::vector<System>& systems() const;
   /// \param loads f of each body   \param gap g, m
-  /// \param guess rows expected to be active (m entries, or empty: all)   \param limits of p, lower ≤ upper
+  /// \param guess rows expected to be active (m entries, or empty: all)   \param limits of p (m entries each)
   Solution solve(const std::vector<Eigen::VectorXd>& loads, const Eigen::VectorXd& gap,
                  const std::vector<char>& guess = {}, const Limits& limits = {}) const;
   /// K⁺ f of one body; what f has of a resultant along a free motion is left out. For corrections by a residual that
@@ -134,14 +139,16 @@ Statistics statistics(const Bodies& bodies, const Solution& solution);
 std::string reason(const Solution& solution, const std::string& unknown, const std::vector<std::string>& bodies,
                    const std::string& no_equilibrium, const std::string& contradiction);
 
-/// Whether forces can be balanced by pressures: p ≥ 0 with Gᵀp = e.
+/// Whether forces can be balanced by pressures: lower ≤ p ≤ upper with Gᵀp = e.
 struct Balance {
   bool possible = true;
-  Eigen::VectorXd pressure;  ///< one such p (m), with at most k entries > 0
-  Eigen::VectorXd motion;    ///< else y (k) with G y ≤ 0 and eᵀy > 0 (Farkas; HH81 (1.16))
+  Eigen::VectorXd pressure;  ///< one such p (m); at a limit or at 0 but for at most k rows, independent ones of G
+  /// Else y (k) with  Σ max(lower_i (G y)_i, upper_i (G y)_i) < eᵀy:  no p within the limits does as much work against
+  /// this motion as the forces do along it. G y ≤ 0 where p ≥ 0, G y = 0 where p is free (Farkas; HH81 (1.16)).
+  Eigen::VectorXd motion;
 };
 
-/// Non-negative least squares for Gᵀp = e; ends after finitely many steps.
+/// Bounded-variable least squares for Gᵀp = e; ends after finitely many steps.
 /// \param rows G, m × k   \param load e, k   \param explained residual that is taken for rounding
 Balance balance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& load, double explained, const Limits& limits = {});
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/limits.h"
+
 namespace bracket::contact {
 namespace {
 
@@ -93,7 +95,8 @@ std::vector<int> pins(const MatrixXd& basis, const std::vector<int>& contact) {
   return {order.data(), order.data() + basis.cols()};
 }
 
-Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions) {
+Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions,
+                const std::vector<char>& fixed) {
   const Index m = bodies.front().rows.rows();
   MatrixXd rows(m, count(motions));
   Index first = 0;
@@ -105,13 +108,15 @@ Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& m
   const VectorXd row_size = row_sizes(bodies);
   for (Index i = 0; i < m; ++i)  // a row must not seem to resist where it is the rounding of zero
     rows.row(i) = (rows.row(i).array().abs() < 1e-12 * row_size[i]).select(0, rows.row(i));
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (fixed[i]) rows.row(static_cast<Index>(i)).setZero();
   const MatrixXd free = free_motions(row_size.cwiseInverse().asDiagonal() * rows);
   const std::vector<Index> resisted = complement(free);
   return {resisted, free, rows(Eigen::all, resisted), row_size};
 }
 
 BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
-                           const std::vector<VectorXd>& loads) {
+                           const std::vector<VectorXd>& loads, const Limits& limits) {
   VectorXd load(count(motions));
   double size_of_loads = 0;
   Index first = 0;
@@ -141,7 +146,10 @@ BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& m
 
   const MatrixXd resisting = statics.row_size.cwiseInverse().asDiagonal() * statics.rows;
   const VectorXd resisted_load = (load - motion)(statics.resisted);
-  const Balance found = balance(resisting, resisted_load, rounding * size_of_loads);
+  const Limits forces = scaled(limits, statics.row_size);
+  // What limits beyond zero press is a load, too.
+  const double size = size_of_loads + (resisting.cwiseAbs().transpose() * at_rest(forces).cwiseAbs()).lpNorm<1>();
+  const Balance found = balance(resisting, resisted_load, rounding * size, forces);
   if (!found.possible) {
     result.possible = false;
     result.motion = VectorXd::Zero(load.size());
@@ -149,9 +157,8 @@ BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& m
     return result;
   }
   result.load = resisting.transpose() * found.pressure;
-  if (size_of_loads > 0)
-    result.imbalance = std::max(result.imbalance, (resisted_load - result.load).norm() / size_of_loads);
-  result.pressure = found.pressure.cwiseQuotient(statics.row_size);
+  if (size > 0) result.imbalance = std::max(result.imbalance, (resisted_load - result.load).norm() / size);
+  result.pressure = scaled(found.pressure, statics.row_size.cwiseInverse(), forces, limits);
   return result;
 }
 

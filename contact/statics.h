@@ -34,19 +34,20 @@ struct Statics {
   Eigen::MatrixXd rows;  ///< G (m × k): the approach by these motions
   Eigen::VectorXd row_size;  ///< m: the largest entry of each row of B; 1 for a row without entries
 };
-/// \param motions of each body
-Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions);
+/// \param motions of each body   \param fixed rows whose p is given (m, or empty: none): they resist nothing
+Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions,
+                const std::vector<char>& fixed = {});
 
 /// Loads that pressures hold, or not.
 struct BalancedLoad {
   bool possible = true;
   Eigen::VectorXd load;      ///< e (k), without what is taken for rounding
-  Eigen::VectorXd pressure;  ///< one p ≥ 0 that balances it, with at most k entries > 0
+  Eigen::VectorXd pressure;  ///< one p that balances it, as Balance has it
   double imbalance = 0;      ///< as in Solution
   Eigen::VectorXd motion;    ///< not possible: coefficients of the bodies' bases, stacked (k_all)
 };
-/// \param loads f of each body
+/// \param loads f of each body, less Bᵀ p of the rows that are fixed   \param limits complete
 BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
-                           const std::vector<Eigen::VectorXd>& loads);
+                           const std::vector<Eigen::VectorXd>& loads, const Limits& limits);
 
 }  // namespace bracket::contact

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/limits.h"
 #include "tests/contact/truss.h"
 
 namespace bracket::contact {
@@ -58,14 +59,14 @@ TEST(Statics, SeparatesTheMotionsThatContactResists) {
   const std::vector<Motions> bases{motions(body.rigid)};
   const Statics all = statics({body}, bases);
   EXPECT_EQ(all.resisted.size(), 1u);
-  const BalancedLoad found = balanced_load(all, bases, {load});
+  const BalancedLoad found = balanced_load(all, bases, {load}, complete({}, 1));
   ASSERT_TRUE(found.possible);
   EXPECT_NEAR(found.pressure[0], 2.0, 1e-13);
   EXPECT_LE(found.imbalance, 1e-15);
 
   VectorXd aside = load;
   aside[0] += 1e-6;  // out of balance along a motion that nothing resists
-  const BalancedLoad lost = balanced_load(all, bases, {aside});
+  const BalancedLoad lost = balanced_load(all, bases, {aside}, complete({}, 1));
   ASSERT_FALSE(lost.possible);
   EXPECT_GT((body.rigid.transpose() * aside).dot(bases[0].change.inverse() * lost.motion), 0);
 }
