@@ -151,7 +151,9 @@ std::optional<Pressure> block_active_set(const Interface& problem, const std::ve
   std::vector<Place> places(static_cast<std::size_t>(m));
   for (Index i = 0; i < m; ++i) {
     const bool bilateral = std::isinf(limits.lower[i]) && std::isinf(limits.upper[i]);
-    places[i] = (guess[i] && !is_fixed(limits, i)) || bilateral ? Place::active : off(limits, i, pressure[i]);
+    const bool moves = problem.compliance(i, i) > 0 || !problem.motion.row(i).isZero(0);  // else it depends on all
+    places[i] =
+        moves && ((guess[i] && !is_fixed(limits, i)) || bilateral) ? Place::active : off(limits, i, pressure[i]);
   }
   std::set<std::vector<Place>> seen;
   for (int iteration = 1; iteration <= most && seen.insert(places).second; ++iteration) {

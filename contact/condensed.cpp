@@ -30,6 +30,7 @@ std::vector<int> contact_unknowns(const Sparse& rows) {
 }
 
 void add_compliance(const Sparse& rows, const Condensed& body, MatrixXd& compliance) {
+  constexpr Index few = 16;  // entries of L, of which no more than one in so many is not zero
   const Trailing trailing = body.factor.trailing();
   const Sparse by_row = rows.transpose();  // column i: row i of B
   std::vector<int> place(rows.cols(), -1);
@@ -43,8 +44,21 @@ void add_compliance(const Sparse& rows, const Condensed& body, MatrixXd& complia
   for (std::size_t i = 0; i < touching.size(); ++i)
     for (Sparse::InnerIterator entry(by_row, touching[i]); entry; ++entry)
       if (place[entry.row()] >= 0) right(place[entry.row()], static_cast<Index>(i)) = entry.value();
-  trailing.lower.triangularView<Eigen::Lower>().solveInPlace(right);
-  compliance(touching, touching) += right.transpose() * right;
+  const Index n = trailing.lower.rows();
+  if (few * (trailing.lower.array() != 0).count() > n * n) {
+    trailing.lower.triangularView<Eigen::Lower>().solveInPlace(right);
+    compliance(touching, touching) += right.transpose() * right;
+    return;
+  }
+  // Springs, each with few others: K⁻¹ Bᵀ by a sparse L, then B times that.
+  const Sparse lower = trailing.lower.sparseView();
+  lower.triangularView<Eigen::Lower>().solveInPlace(right);
+  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(right);
+  MatrixXd own = MatrixXd::Zero(right.cols(), right.cols());
+  for (std::size_t i = 0; i < touching.size(); ++i)
+    for (Sparse::InnerIterator entry(by_row, touching[i]); entry; ++entry)
+      if (place[entry.row()] >= 0) own.col(static_cast<Index>(i)) += entry.value() * right.row(place[entry.row()]);
+  compliance(touching, touching) += 0.5 * (own + own.transpose());
 }
 
 }  // namespace bracket::contact

@@ -115,6 +115,22 @@ Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& m
   return {resisted, free, rows(Eigen::all, resisted), row_size};
 }
 
+std::vector<char> fixed_rows(const Limits& limits) {
+  std::vector<char> result(static_cast<std::size_t>(limits.lower.size()));
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = is_fixed(limits, static_cast<Index>(i));
+  return std::count(result.begin(), result.end(), 1) > 0 ? result : std::vector<char>();
+}
+
+std::vector<VectorXd> left_by_fixed(std::vector<VectorXd> loads, const std::vector<System>& bodies,
+                                    const Limits& limits, const std::vector<char>& fixed) {
+  VectorXd pressure = VectorXd::Zero(limits.lower.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (fixed[i]) pressure[static_cast<Index>(i)] = limits.lower[static_cast<Index>(i)];
+  if (!pressure.isZero(0))
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies[b].rows.transpose() * pressure;
+  return loads;
+}
+
 BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
                            const std::vector<VectorXd>& loads, const Limits& limits) {
   VectorXd load(count(motions));

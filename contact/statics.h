@@ -38,6 +38,13 @@ struct Statics {
 Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions,
                 const std::vector<char>& fixed = {});
 
+/// Rows whose limits leave their p no choice (m; empty: there is none).
+std::vector<char> fixed_rows(const Limits& limits);
+
+/// \return the loads less Bᵀ p of these rows   \param fixed as fixed_rows() gives it
+std::vector<Eigen::VectorXd> left_by_fixed(std::vector<Eigen::VectorXd> loads, const std::vector<System>& bodies,
+                                           const Limits& limits, const std::vector<char>& fixed);
+
 /// Loads that pressures hold, or not.
 struct BalancedLoad {
   bool possible = true;
@@ -46,7 +53,7 @@ struct BalancedLoad {
   double imbalance = 0;      ///< as in Solution
   Eigen::VectorXd motion;    ///< not possible: coefficients of the bodies' bases, stacked (k_all)
 };
-/// \param loads f of each body, less Bᵀ p of the rows that are fixed   \param limits complete
+/// \param loads f of each body, as left_by_fixed()   \param limits complete
 BalancedLoad balanced_load(const Statics& statics, const std::vector<Motions>& motions,
                            const std::vector<Eigen::VectorXd>& loads, const Limits& limits);
 

@@ -83,8 +83,9 @@ inline std::vector<VectorXd> loads_of(const std::vector<Loaded>& bodies) {
   return loads;
 }
 
-inline Solution solve(const std::vector<Loaded>& bodies, const VectorXd& gap, const std::vector<char>& guess = {}) {
-  return Bodies(systems_of(bodies)).solve(loads_of(bodies), gap, guess);
+inline Solution solve(const std::vector<Loaded>& bodies, const VectorXd& gap, const std::vector<char>& guess = {},
+                      const Limits& limits = {}) {
+  return Bodies(systems_of(bodies)).solve(loads_of(bodies), gap, guess, limits);
 }
 
 /// \param rows B, dense
@@ -110,14 +111,16 @@ inline void bind(MatrixXd& rows, Index row, Index joint, const Eigen::Vector2d& 
 
 /// What the solution of a problem must satisfy, each by the size of the terms that it is a sum of.
 struct Kkt {
-  double equilibrium = 0;      ///< K u + Bᵀp − f, of the strain-producing part of u
-  double rigid = 0;            ///< Rᵀ(f − Bᵀp)
-  double penetration = 0;      ///< max(r − g), by the largest part of an r or g
+  double equilibrium = 0;  ///< K u + Bᵀp − f, of the strain-producing part of u
+  double rigid = 0;        ///< Rᵀ(f − Bᵀp)
+  double penetration = 0;  ///< max(r − g), by the largest part of an r or g; with limits: g − r of the wrong sign
   double complementarity = 0;  ///< p (g − r)
   double least_pressure = 0;
+  bool within = true;  ///< the limits
 };
 
-inline Kkt kkt(const std::vector<Loaded>& bodies, const VectorXd& gap, const Solution& solution) {
+inline Kkt kkt(const std::vector<Loaded>& bodies, const VectorXd& gap, const Solution& solution,
+               const Limits& limits = {}) {
   Kkt result;
   VectorXd approach = VectorXd::Zero(gap.size());
   VectorXd size = gap.cwiseAbs();
@@ -142,6 +145,16 @@ inline Kkt kkt(const std::vector<Loaded>& bodies, const VectorXd& gap, const Sol
   const double size_of_approach = largest(size), size_of_pressure = largest(solution.pressure);
   if (gap.size() == 0) return result;
   result.least_pressure = solution.pressure.minCoeff();
+  if (limits.lower.size() > 0) {
+    const auto p = solution.pressure.array();
+    result.within = (p >= limits.lower.array() && p <= limits.upper.array()).all();
+    for (Index i = 0; i < gap.size() && size_of_approach > 0; ++i) {
+      const double slack = (gap[i] - approach[i]) / size_of_approach;
+      if (p[i] > limits.lower[i]) result.penetration = std::max(result.penetration, slack);
+      if (p[i] < limits.upper[i]) result.penetration = std::max(result.penetration, -slack);
+    }
+    return result;
+  }
   if (size_of_approach > 0) result.penetration = (approach - gap).maxCoeff() / size_of_approach;
   if (size_of_approach * size_of_pressure > 0)
     result.complementarity =
