@@ -8,6 +8,7 @@
 #include <new>
 
 #include "bounds/certificate/given_field.h"
+#include "bounds/coulomb.h"
 #include "bounds/quantities/evaluate.h"
 #include "contact/clock.h"
 
@@ -171,6 +172,11 @@ scene::Scene<2> with_settings(scene::Scene<2> scene) {
 Assessment assess(const scene::Scene<2>& asked, scene::FieldOnScene field, const Observer<2>& observer) {
   const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
   const scene::Scene<2> scene = with_settings(asked);
+  if (has_coulomb(field.problem))
+    throw scene::Error(
+        scene::Status::input,
+        "assess: Coulomb's friction is no minimum of an energy, and no distance to its solution is known; "
+        "with a given bound of the shear it is: law = { tresca = g }");
   field.problem = balanced(std::move(field.problem), scene.solve.degree);
   const GivenEnergy energy = certify_given(field.problem, field.given.displacement);
   if (!energy.valid) throw scene::Error(scene::Status::not_guaranteed, energy.reason);

@@ -23,6 +23,13 @@ struct Seconds {
   double total = 0;  ///< wall clock; the two formulations run side by side
 };
 
+/// How Coulomb's friction was approached on one mesh (docs/theory.md §11.1).
+struct FrictionSteps {
+  int steps = 0;         ///< problems whose shear has a given bound; 0: no contact has Coulomb's law
+  double residual = 0;   ///< η ≥ 0, an energy, of the last; zero for a solution of Coulomb's problem only
+  bool settled = false;  ///< η is at most twice the width of the last step's bracket
+};
+
 /// What one mesh gave.
 struct Level {
   int cells = 0;
@@ -34,12 +41,14 @@ struct Level {
   std::string oscillation_part;   ///< the boundary part with the largest share of it; empty: there is none
   Seconds seconds;
   contact::Statistics primal, dual;
+  FrictionSteps friction;
 };
 
 /// What a run has found; the fields are those of the last level.
 template <int dim> struct Outcome {
   scene::Status status = scene::Status::done;
-  /// "rounding-safe"; "discretisation": as that, but for data of which some are known at points only; "none".
+  /// "rounding-safe"; "discretisation": as that, but for data of which some are known at points only; "tresca-step": as
+  /// these, for the bound of the shear of the last of the steps by which Coulomb's friction is approached; "none".
   std::string guarantee = "none";
   std::string reason;  ///< if there is no guarantee or the budget was spent: one line
   /// The bracket of the run: its levels' brackets of one fixed problem, intersected. The displacement spaces are
@@ -48,7 +57,8 @@ template <int dim> struct Outcome {
   double upper = std::numeric_limits<double>::infinity();
   double relative_error_bound = std::numeric_limits<double>::infinity();  ///< √(2 (upper − lower)) / ‖u_h‖_A; not a
                                                                           ///< number if `unstrained`, but for [0, 0]
-  /// Where parts are arcs each level is the problem of its own polygon, and the bounds are those of the last: by how
+  /// Where parts are arcs each level is the problem of its own polygon, with Coulomb's friction that of a bound of its
+  /// own, and the bounds are those of the last: by how
   /// much the middle of the interval moved with the last mesh. Infinite: there is but one level.
   double moved = std::numeric_limits<double>::infinity();
   bool unstrained = false;  ///< the bodies but follow prescribed displacements and gaps; what is left is rounding
@@ -70,9 +80,10 @@ template <int dim> struct Observer {
 
 /// The problem, which is solvable, with its loads in balance to the last bit along all motions that nothing holds: what
 /// they lack of it is taken off (Problem::corrections), where rounding of the loads, the coordinates and the directions
-/// explains it. Prescribed displacements keep the contact, and pressures can balance the loads [HH81 (1.16)].
-/// \param problem on its first mesh; corrections that it has are made anew   \param degree of the displacements, 1 to 4
-/// \throw scene::Error (ill_posed), with the place on the contact or with the body, the motion and both forces
+/// explains it. Coulomb's friction gets its first bound. Prescribed displacements keep the contact, and pressures can
+/// balance the loads [HH81 (1.16)]. \param problem on its first mesh; corrections that it has are made anew   \param
+/// degree of the displacements, 1 to 4 \throw scene::Error (ill_posed), with the place on the contact or with the body,
+/// the motion and both forces
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree);
 
 /// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking

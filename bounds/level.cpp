@@ -168,6 +168,7 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
   level.cells = static_cast<int>(problem.mesh.cells.size());
   level.primal = examined.primal.statistics;
   level.dual = examined.dual.statistics;
+  level.friction = meshed.friction;
   level.plain = plain_energies(problem, displacement, stress, examined.indicator);
   const Certificate& sure = level.certificate;
   level.bracket =

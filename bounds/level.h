@@ -19,8 +19,9 @@ template <int dim> struct Meshed {
   double seconds = 0;                                      ///< that it took to make
   bool changed = false;                                    ///< the data are no more those of the scene
   std::vector<std::string> notes = {};                     ///< of the scene's own mesh
-  int times_resolved = 0;                                  ///< how often that was refined for the data,
-  std::set<std::string> resolved = {};                     ///< and those of which parts
+  FrictionSteps friction = {};
+  int times_resolved = 0;               ///< how often that was refined for the data,
+  std::set<std::string> resolved = {};  ///< and those of which parts
 };
 
 /// Both formulations on one mesh, and what follows from their fields.

@@ -9,6 +9,7 @@
 
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
+#include "bounds/coulomb.h"
 #include "bounds/level.h"
 #include "bounds/resolve_data.h"
 #include "bounds/skipped.h"
@@ -103,9 +104,10 @@ std::vector<int> nearest_contacts(const scene::Problem<2>& before, const scene::
   return nearest;
 }
 
-/// Whether all levels are one problem. Arcs are another polygon on each mesh; data that were changed by hand stay.
+/// Whether all levels are one problem. Arcs are another polygon on each mesh, and Coulomb's friction has another bound;
+/// data that were changed by hand stay.
 template <int dim> bool is_one_problem(const scene::Scene<dim>& scene, const Meshed<dim>& meshed) {
-  return meshed.changed || scene.curves.empty();
+  return !has_coulomb(meshed.problem) && (meshed.changed || scene.curves.empty());
 }
 
 /// \param marked cells to refine; empty: all. The contact starts from what it was
@@ -131,18 +133,23 @@ Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const 
           .notes = old.notes};
 }
 
+bool is_settled(const Level& level) { return level.friction.steps == 0 || level.friction.settled; }
+
 /// Ends a run that has not reached its target.
 /// \param early before any budget was spent
 template <int dim>
 Outcome<dim> ended(Outcome<dim> outcome, const scene::Refine& refine, const std::vector<Asked<dim>>& asked,
                    const std::string& why, bool early) {
   const Targets wanted = targets(outcome, refine, asked);
+  const bool settled = outcome.levels.empty() || is_settled(outcome.levels.back());
   if (outcome.guarantee == "none") {
     outcome.status = Status::not_guaranteed;
     outcome.reason = why;
-  } else if (early || (wanted.any && !wanted.met())) {
+  } else if (early || !settled || (wanted.any && !wanted.met())) {
     outcome.status = Status::budget;
-    outcome.reason = fmt::format("{}; the guaranteed relative error is {:.3g}", why, outcome.relative_error_bound);
+    outcome.reason =
+        fmt::format("{}{}; the guaranteed relative error is {:.3g}", why,
+                    settled ? "" : "; the steps of Coulomb's friction did not settle", outcome.relative_error_bound);
     if (refine.target > 0) outcome.reason += fmt::format(", the target {:g}", refine.target);
     for (const QuantityInterval& one : outcome.quantities)
       if (!one.target_reached) outcome.reason += fmt::format("; the target of '{}' is not reached", one.name);
@@ -187,11 +194,14 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
+      if (has_coulomb(meshed.problem)) meshed = with_friction_settled(std::move(meshed), scene.solve.degree, observer);
       Examined<dim> examined = examine(scene, meshed, outcome.levels, clock, observer);
       while (outcome.levels.empty() && !observer.stop.stop_requested()) {
         auto finer_first = with_data_resolved(scene, meshed, examined, clock);
         if (!finer_first) break;
         meshed = std::move(*finer_first);
+        if (has_coulomb(meshed.problem))
+          meshed = with_friction_settled(std::move(meshed), scene.solve.degree, observer);
         examined = examine(scene, meshed, outcome.levels, clock, observer);
       }
       const bool bracketed = examined.unsolved.empty(), one_problem = is_one_problem(scene, meshed);
@@ -208,13 +218,16 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
         }
         if (!objected.reason.empty())
           return end(objected.guaranteed ? std::move(outcome) : disowned(std::move(outcome)), objected.reason, true);
-        outcome.guarantee = outcome.problem.sampled ? "discretisation" : "rounding-safe";
+        outcome.guarantee = has_coulomb(outcome.problem) ? "tresca-step"
+                            : outcome.problem.sampled    ? "discretisation"
+                                                         : "rounding-safe";
         compute(due(outcome, refine, asked), examined, one_problem);
         const bool done = examined.unstrained || targets(outcome, refine, asked).met();
         if (done) compute(missing(outcome, asked), examined, one_problem);
         if (const std::string why = contradiction(outcome.quantities); !why.empty())
           return end(disowned(std::move(outcome)), why, true);
         if (observer.level) observer.level(outcome);
+        if (done && !is_settled(outcome.levels.back())) return end(std::move(outcome), "the target is reached", true);
         if (done) return outcome;
       } else if (!finer_mesh_may_help(examined) || refine.strategy == scene::Strategy::none) {
         return end(std::move(outcome), examined.unsolved, true);
@@ -269,6 +282,11 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
 template <int dim>
 Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer) {
   scene::check_settings(scene.refine, scene.solve);
+  if (has_coulomb(problem) && scene.refine.strategy != scene::Strategy::none)
+    throw scene::Error(
+        Status::input,
+        "a problem with Coulomb's friction, whose bound is another on each mesh, cannot be refined without "
+        "its scene; expected refine.strategy none");
   const auto first = [&] { return Meshed<dim>{.problem = std::move(problem), .changed = true}; };
   return run_from(scene, first, observer);
 }

@@ -7,6 +7,7 @@
 #include "bounds/bounds.h"
 #include "bounds/certificate/corrections.h"
 #include "bounds/certificate/links.h"
+#include "bounds/coulomb.h"
 #include "bounds/free_motions.h"
 #include "primal/primal.h"
 
@@ -157,7 +158,7 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
 
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree) {
   primal::check_prescribed(problem, degree);
-  problem = without_corrections(std::move(problem));
+  problem = with_first_friction(without_corrections(std::move(problem)), degree);
   const FreeMotions<dim> all = all_free_motions(problem);
   if (all.motion.empty()) return problem;
   const auto [rows, limits, friction] = holding(problem, all);

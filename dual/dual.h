@@ -19,6 +19,12 @@ template <int dim> struct Result {
   contact::Statistics statistics;
 };
 
+/// By what the shear is bounded where contact has friction, coefficient by coefficient.
+enum class Shear {
+  bounded,     ///< by FacetLaw::friction
+  by_pressure  ///< where FacetLaw::coulomb is not zero, by that times the stress' own pressure
+};
+
 /// Minimises S over the block-element stresses in K⁺_{F,P} [HH81, (1.13), (2.12)] by the hybrid method: edge
 /// displacements, of their degree on each edge, are the multipliers of traction continuity; contact rows are the
 /// Bernstein moments of r, whose multipliers are coefficients of the pressure. The bodies are factorised once and
@@ -26,15 +32,17 @@ template <int dim> struct Result {
 template <int dim> class Solver {
  public:
   /// \param degree of the block elements, 1 to 3
-  Solver(const scene::Problem<dim>& problem, int degree);
+  Solver(const scene::Problem<dim>& problem, int degree, Shear shear = Shear::bounded);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
   ///     displacements are its own
   /// \param closed contact facets expected to be closed (as Result::closed, or empty: all)
-  /// \throw std::invalid_argument where other displacements are unknown, or other facets in contact, than in the
-  /// problem
-  ///     that was factorised
-  Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
+  /// \param wider what is added to the gap, ∫ B_i of it over each contact facet, degree + 1 numbers each; empty:
+  /// nothing \throw std::invalid_argument where other displacements are unknown, or other facets in contact, than in
+  /// the
+  ///     problem that was factorised
+  Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {},
+                    const Eigen::VectorXd& wider = {}) const;
 
  private:
   struct Factorised;

@@ -189,11 +189,12 @@ scene::Stress<dim> recover(const Problem<dim>& problem, const std::vector<Cell<d
 template <int degree, int dim> struct OfDegree {
   Layout layout;
   std::vector<Cell<degree>> cells;
+  Shear shear;
   contact::Bodies bodies;
   double order, assemble;  ///< seconds
 };
 
-template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<dim>& problem) {
+template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<dim>& problem, Shear shear) {
   Clock clock;
   const std::vector<std::uint64_t> paths = scene::dissect(problem.mesh);
   const double dissected = clock.lap();
@@ -202,17 +203,18 @@ template <int degree, int dim> OfDegree<degree, dim> factorised(const Problem<di
   std::vector<contact::System> systems;
   for (std::size_t b = 0; b < problem.mesh.components.size(); ++b)
     systems.push_back(assemble<degree>(problem, layout, cells, paths, static_cast<int>(b)));
-  set_contact_rows(problem, layout, systems);
+  set_contact_rows(problem, layout, contact_rows(problem, degree, shear), systems);
   add_springs(problem, degree, systems);
   const double assembled = clock.lap();
-  return {std::move(layout), std::move(cells), contact::Bodies(std::move(systems)), dissected, assembled};
+  return {std::move(layout), std::move(cells), shear, contact::Bodies(std::move(systems)), dissected, assembled};
 }
 
 template <int degree, int dim>
-Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem, const std::vector<char>& closed) {
+Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem, const std::vector<char>& closed,
+                   const Eigen::VectorXd& wider) {
   const Clock clock;
-  const auto& [layout, cells, bodies, dissected, assembled] = of;
-  const std::vector<RowOf> rows = contact_rows(problem, degree);
+  const auto& [layout, cells, shear, bodies, dissected, assembled] = of;
+  const std::vector<RowOf> rows = contact_rows(problem, degree, shear);
   if (lay_out(problem, degree).body_nodes != layout.body_nodes ||
       static_cast<Eigen::Index>(rows.size()) != bodies.systems().front().rows.rows())
     throw std::invalid_argument(
@@ -222,15 +224,17 @@ Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem,
   std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);
   if (const auto& systems = bodies.systems(); systems.size() > all.size())  // springs
     all.push_back(Eigen::VectorXd::Zero(systems.back().stiffness.rows()));
-  const Eigen::VectorXd of_normal = gap_moments(problem, degree);
-  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
-  gaps.head(of_normal.size()) = of_normal;
+  Eigen::VectorXd of_facets = gap_moments(problem, degree);
+  if (wider.size() > 0) of_facets += wider;
+  Eigen::VectorXd gaps(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    gaps[r] = rows[r].of_approach * of_facets[(degree + 1) * rows[r].facet + rows[r].i];
   std::vector<char> guess;
   for (const RowOf& row : rows)
     if (!closed.empty()) guess.push_back((closed[row.facet] & row.state()) != 0);
   const double of_data = clock.seconds();
 
-  contact::Solution solution = bodies.solve(all, gaps, guess, limits(problem, degree));
+  contact::Solution solution = bodies.solve(all, gaps, guess, limits(problem, degree, rows));
   std::vector<std::string> names = problem.mesh.components;
   names.push_back("springs");
   Result<dim> result;
@@ -262,18 +266,20 @@ template <int dim> struct Solver<dim>::Factorised {
   std::variant<OfDegree<1, dim>, OfDegree<2, dim>, OfDegree<3, dim>> of;
 };
 
-template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree) {
+template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, Shear shear) {
   const auto keep = [&](auto of) { factorised_ = std::make_shared<const Factorised>(Factorised{std::move(of)}); };
   switch (degree) {
-    case 1: keep(factorised<1>(problem)); break;
-    case 2: keep(factorised<2>(problem)); break;
-    case 3: keep(factorised<3>(problem)); break;
+    case 1: keep(factorised<1>(problem, shear)); break;
+    case 2: keep(factorised<2>(problem, shear)); break;
+    case 3: keep(factorised<3>(problem, shear)); break;
     default: throw std::invalid_argument("dual::Solver: block elements have a degree from 1 to 3");
   }
 }
 
-template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
-  return std::visit([&](const auto& of) { return solved(of, problem, closed); }, factorised_->of);
+template <int dim>
+Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed,
+                               const Eigen::VectorXd& wider) const {
+  return std::visit([&](const auto& of) { return solved(of, problem, closed, wider); }, factorised_->of);
 }
 
 template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, const std::vector<char>& closed) {

@@ -8,20 +8,26 @@ namespace bracket::dual {
 using scene::ContactFacet;
 using scene::Problem;
 
-template <int dim> std::vector<RowOf> contact_rows(const Problem<dim>& problem, int degree) {
+template <int dim> std::vector<RowOf> contact_rows(const Problem<dim>& problem, int degree, Shear shear) {
   std::vector<RowOf> rows;
   for (const bool slip : {false, true})
-    for (std::size_t j = 0; j < problem.contact.size(); ++j)
-      for (int i = 0; i <= degree && (!slip || has_friction(problem.contact[j].law)); ++i)
-        rows.push_back({static_cast<int>(j), i, slip});
+    for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+      const scene::FacetLaw& law = problem.contact[j].law;
+      const bool cone = shear == Shear::by_pressure && law.coulomb > 0;
+      for (int i = 0; i <= degree && (!slip || has_friction(law)); ++i) {
+        RowOf row{static_cast<int>(j), i, slip, slip ? 0.0 : 1.0, slip ? 1.0 : 0.0};
+        if (cone) row = {row.facet, i, slip, 0.5 / law.coulomb, slip ? -0.5 : 0.5};
+        rows.push_back(row);
+      }
+    }
   return rows;
 }
 
 template <int dim>
-void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::vector<contact::System>& bodies) {
+void set_contact_rows(const Problem<dim>& problem, const Layout& layout, const std::vector<RowOf>& rows,
+                      std::vector<contact::System>& bodies) {
   const auto& mesh = problem.mesh;
   const int degree = layout.degree;
-  const std::vector<RowOf> rows = contact_rows(problem, degree);
   std::vector<std::vector<Eigen::Triplet<double>>> entries(bodies.size());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const ContactFacet& pair = problem.contact[rows[r].facet];
@@ -32,9 +38,12 @@ void set_contact_rows(const Problem<dim>& problem, const Layout& layout, std::ve
       const Edge& edge = layout.edges[facet.edge];
       const int begin = facet.vertices[side == pair.first ? 0 : 1];  // where the first facet begins
       for (int i = 0; i <= degree; ++i) {
-        const int unknown = edge.unknown[2 * along_edge(mesh, degree, facet.edge, begin, i) + rows[r].is_slip];
+        const int place = 2 * along_edge(mesh, degree, facet.edge, begin, i);
         const double mean = scene::number<double>(scene::bernstein_mass(degree, rows[r].i, degree, i));
-        entries[mesh.cell_component[facet.cell]].emplace_back(static_cast<int>(r), unknown, length * mean);
+        for (const auto& [weight, k] : {std::pair(rows[r].of_approach, 0), {rows[r].of_slip, 1}})
+          if (weight != 0)
+            entries[mesh.cell_component[facet.cell]].emplace_back(static_cast<int>(r), edge.unknown[place + k],
+                                                                  weight * length * mean);
       }
     }
   }
@@ -81,24 +90,23 @@ template <int dim> void add_springs(const Problem<dim>& problem, int degree, std
   bodies.push_back(std::move(springs));
 }
 
-template <int dim> contact::Limits limits(const Problem<dim>& problem, int degree) {
+template <int dim> contact::Limits limits(const Problem<dim>& problem, int degree, const std::vector<RowOf>& rows) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
-  const std::vector<RowOf> rows = contact_rows(problem, degree);
-  contact::Limits limits{Eigen::VectorXd(rows.size()), Eigen::VectorXd(rows.size())};
+  contact::Limits limits{Eigen::VectorXd::Zero(rows.size()), Eigen::VectorXd::Constant(rows.size(), unlimited)};
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const scene::FacetLaw& law = problem.contact[rows[r].facet].law;
-    const double most = rows[r].is_slip
-                            ? scene::linear_coefficient<double>(law.friction[0], law.friction[1], degree, rows[r].i)
-                            : unlimited;
-    limits.lower[r] = rows[r].is_slip ? -most : law.two_sided ? -unlimited : 0;
-    limits.upper[r] = most;
+    if (rows[r].of_approach == 1 && law.two_sided) limits.lower[r] = -unlimited;
+    if (rows[r].of_slip != 1) continue;
+    limits.upper[r] = scene::linear_coefficient<double>(law.friction[0], law.friction[1], degree, rows[r].i);
+    limits.lower[r] = -limits.upper[r];
   }
   return limits;
 }
 
-template std::vector<RowOf> contact_rows(const Problem<2>&, int);
-template void set_contact_rows(const Problem<2>&, const Layout&, std::vector<contact::System>&);
+template std::vector<RowOf> contact_rows(const Problem<2>&, int, Shear);
+template void set_contact_rows(const Problem<2>&, const Layout&, const std::vector<RowOf>&,
+                               std::vector<contact::System>&);
 template void add_springs(const Problem<2>&, int, std::vector<contact::System>&);
-template contact::Limits limits(const Problem<2>&, int);
+template contact::Limits limits(const Problem<2>&, int, const std::vector<RowOf>&);
 
 }  // namespace bracket::dual

@@ -11,7 +11,7 @@ enum class Plane { strain, stress };
 enum class ConditionKind { fixed, sliding, traction, pressure };
 enum class Strategy { none, uniform, adaptive };
 enum class Dual { hybrid, uzawa };
-enum class Law { frictionless, bonded, bilateral, winkler, tresca };
+enum class Law { frictionless, bonded, bilateral, winkler, tresca, coulomb };
 enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy };
 enum class StressComponent { xx, yy, xy, mean };
 
@@ -21,7 +21,8 @@ template <> inline constexpr std::array option_names<Plane>{"strain", "stress"};
 template <> inline constexpr std::array option_names<ConditionKind>{"fixed", "sliding", "traction", "pressure"};
 template <> inline constexpr std::array option_names<Strategy>{"none", "uniform", "adaptive"};
 template <> inline constexpr std::array option_names<Dual>{"hybrid", "uzawa"};
-template <> inline constexpr std::array option_names<Law>{"frictionless", "bonded", "bilateral", "winkler", "tresca"};
+template <>
+inline constexpr std::array option_names<Law>{"frictionless", "bonded", "bilateral", "winkler", "tresca", "coulomb"};
 template <>
 inline constexpr std::array option_names<QuantityKind>{"displacement", "body",     "rotation", "force",
                                                        "opening",      "reaction", "stress",   "energy"};

@@ -96,9 +96,10 @@ template <int dim> struct ContactPair {
   std::string name = {};        ///< for quantities and reports; empty: its first part
   int zones = 0;                ///< stretches of it, equally long, whose forces are wanted as intervals; 0: none
   Law law = Law::frictionless;  ///< any but bonded, which is a Bond
-  std::optional<Function<dim>> value = {};  ///< of law: winkler: k > 0; tresca: g_T ≥ 0; linear on each facet of the
-                                            ///< first mesh; else none
-  bool lifts_off = true;                    ///< winkler, tresca: whether the sides may part; bilateral ones never do
+  /// Of law: winkler: k > 0; tresca: g_T ≥ 0; linear on each facet of the first mesh; coulomb: μ ≥ 0, constant; else
+  /// none.
+  std::optional<Function<dim>> value = {};
+  bool lifts_off = true;  ///< winkler, tresca: whether the sides may part; bilateral ones never do
 };
 /// Whether the sides keep together: r = g.
 template <int dim> bool is_two_sided(const ContactPair<dim>& pair) {

@@ -216,7 +216,9 @@ void add_parts(py::class_<Scene>& scene) {
            "\"rigid\", a wall along the first, a Line or a Circle. gap: a length, < 0 for interference;\n"
            "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.\n"
            "law: \"bilateral\", without lift-off; \"winkler\", springs of modulus `value`, force by area and length;\n"
-           "\"tresca\", friction up to a shear `value`, force by area. lifts_off: whether the sides of these two part.")
+           "\"tresca\", friction up to a shear `value`, force by area; \"coulomb\", up to `value`\n"
+           "times the pressure, which has intervals of its last step only. lifts_off: whether the sides of these two "
+           "part.")
       .def("add_bond", add_bond, py::arg("first"), py::arg("second"),
            "Two sides that stick, whatever pulls or shears; each a boundary part, or a list of them. They coincide "
            "node\n"

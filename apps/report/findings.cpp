@@ -57,7 +57,7 @@ std::vector<Finding> of_contact(const Report& report, int pair, const Units& uni
   if (!summary.grows.empty()) largest.note = "grows with refinement: " + summary.grows;
   if (scene::is_two_sided(given)) add("largest_tension", summary.largest_tension, units.stress);
   if (given.law == scene::Law::winkler) add("largest_shortening", summary.largest_shortening, units.length);
-  if (given.law == scene::Law::tresca) {
+  if (given.law == scene::Law::tresca || given.law == scene::Law::coulomb) {
     add("shear_force", summary.shear, units.force);
     add("largest_slip", summary.largest_slip, units.length);
   }

@@ -47,6 +47,7 @@ std::string law_text(const scene::ContactPair<2>& pair) {
     case scene::Law::bonded: return "bonded";
     case scene::Law::bilateral: return "without friction or lift-off";
     case scene::Law::winkler: return pair.lifts_off ? "on springs" : "on springs that pull, too";
+    case scene::Law::coulomb: return "with Coulomb's friction";
     case scene::Law::tresca:
       return pair.lifts_off ? "with friction up to a bound" : "with friction up to a bound, no lift-off";
   }

@@ -72,6 +72,14 @@ std::string scope(const Report& report) {
                                   ? "<li>Some functions are known at points only; what they do between those is not "
                                     "seen.</li>\n"
                                   : "";
+  const std::string step =
+      report.outcome.guarantee != "tresca-step"
+          ? ""
+          : fmt::format(
+                "<li>Coulomb's friction has no energy: all bounds hold for friction up to a given shear, &mu; "
+                "times the pressure of the step before. The residual of Coulomb's law is {}, after {} steps.</li>\n",
+                rounded_up(report.outcome.levels.back().friction.residual),
+                report.outcome.levels.back().friction.steps);
   const std::string fixed_data =
       exact ? "<li>The given functions are carried exactly by the mesh.</li>\n"
             : fmt::format(
@@ -94,12 +102,12 @@ std::string scope(const Report& report) {
       "{}"
       "<li>The bodies are the triangles of the mesh, coordinates as they are rounded; sides whose directions differ by "
       "less than 1e-6 are taken as parallel.</li>\n"
-      "<li>Friction by Coulomb's law, large displacements, curved edges and material laws other than linear elasticity "
+      "<li>Large displacements, curved edges and material laws other than linear elasticity "
       "are outside of "
       "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), report.outcome.guarantee, exact ? fixed_data : "",
-      sampled + (exact ? "" : fixed_data));
+      step + sampled + (exact ? "" : fixed_data));
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {

@@ -85,6 +85,9 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
   Json json;
   for (const Column& column : columns())
     std::visit([&](auto number) { json[Json::json_pointer(column.path)] = number; }, column.value(level, around));
+  if (level.friction.steps > 0)
+    json["friction"] = {
+        {"steps", level.friction.steps}, {"residual", level.friction.residual}, {"settled", level.friction.settled}};
   return json;
 }
 

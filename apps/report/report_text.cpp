@@ -31,8 +31,9 @@ std::string explanation(const Report& report) {
   if (report.outcome.guarantee == "discretisation")
     text += "Some functions are known at points only; what they do between is not in it.\n";
   if (report.outcome.levels.size() > 1)
-    text += report.scene.curves.empty() ? "The interval is the intersection of those of the levels.\n"
-                                        : "The interval is that of the last level's polygon, which its arcs are.\n";
+    text += report.outcome.guarantee == "tresca-step" ? "The interval is that of the last level's friction bound.\n"
+            : report.scene.curves.empty()             ? "The interval is the intersection of those of the levels.\n"
+                                          : "The interval is that of the last level's polygon, which its arcs are.\n";
   return text;
 }
 
@@ -119,6 +120,11 @@ std::string what_else(const Report& report) {
                                                 energy_unit + " from the one before"
                                           : std::string()) +
             "\n";
+  if (outcome.guarantee == "tresca-step") {
+    const bounds::FrictionSteps& friction = outcome.levels.back().friction;
+    text += fmt::format("! for the friction bound of the last step; Coulomb's residual is {}{}\n",
+                        rounded_up_exponent(friction.residual), energy_unit);
+  }
   const double changed = outcome.problem.imbalance;
   // To first order the energy moves by twice the part by which the loads do.
   if (2 * changed > relative_width(outcome))

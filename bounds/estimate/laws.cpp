@@ -45,22 +45,25 @@ ShearAndSlip shear_and_slip(const scene::Problem<dim>& problem, const scene::Dis
 
 namespace {
 
-/// ∫ g_T |v_t|, or more, over a facet's parameter: by the coefficients' sizes, on halves as long as signs are mixed.
-double rubbing(const std::vector<double>& slip, const std::array<double, 2>& friction, int halvings) {
+double mean_of_size(const std::vector<double>& slip, const std::array<double, 2>& weight, int halvings) {
   const bool mixed = std::ranges::any_of(slip, [](double c) { return c < 0; }) &&
                      std::ranges::any_of(slip, [](double c) { return c > 0; });
   if (!mixed || halvings == 0) {
     std::vector<double> size;
     for (const double c : slip) size.push_back(std::abs(c));
-    return scene::bernstein_product(size, std::vector<double>{friction[0], friction[1]});
+    return scene::bernstein_product(size, std::vector<double>{weight[0], weight[1]});
   }
   const auto [left, right] = scene::halves(slip);
-  const double middle = 0.5 * (friction[0] + friction[1]);
-  return 0.5 *
-         (rubbing(left, {friction[0], middle}, halvings - 1) + rubbing(right, {middle, friction[1]}, halvings - 1));
+  const double middle = 0.5 * (weight[0] + weight[1]);
+  return 0.5 * (mean_of_size(left, {weight[0], middle}, halvings - 1) +
+                mean_of_size(right, {middle, weight[1]}, halvings - 1));
 }
 
 }  // namespace
+
+double mean_of_size(const std::vector<double>& slip, const std::array<double, 2>& weight) {
+  return mean_of_size(slip, weight, scene::halvings_of_slip);
+}
 
 template <int dim>
 double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
@@ -79,8 +82,7 @@ double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<
         0.5 * length * scene::bernstein_product(scene::bernstein_times<double>(s, s), std::vector<double>{k0, k1});
   }
   if (has_friction(pair.law))
-    energy += length * rubbing(jump<dim>(problem, displacement, pair, scene::tangent(d)), pair.law.friction,
-                               scene::halvings_of_slip);
+    energy += length * mean_of_size(jump<dim>(problem, displacement, pair, scene::tangent(d)), pair.law.friction);
   return energy;
 }
 

@@ -63,6 +63,10 @@ template <int dim>
 double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                 const scene::ContactFacet& pair);
 
+/// ∫ weight |v|, or more, over a facet's parameter, v by Bernstein coefficients, the weight ≥ 0 linear between its
+/// ends: by the coefficients' sizes, on halves as long as signs are mixed (scene::halvings_of_slip).
+double mean_of_size(const std::vector<double>& v, const std::array<double, 2>& weight);
+
 /// Of each boundary facet, whether its contact has friction: then its shear is not known beforehand.
 template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& problem);
 

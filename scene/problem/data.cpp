@@ -181,6 +181,8 @@ std::array<double, 2> law_on(const ContactPair<2>& pair, const Vector<2>& a, con
       fail(Status::input, pair.where, fmt::format("{} must not be negative, is {:.6g} on {}", called, value, edge()));
     check_size(value, pair.where, called);
   }
+  if (pair.law == Law::coulomb && values.value[0] != values.value[1])
+    fail(Status::input, pair.where, fmt::format("{} must be constant, and is not on {}", called, edge()));
   return values.value;
 }
 
@@ -193,8 +195,12 @@ void fix_laws(const Scene<2>& scene, Problem<2>& problem) {
     if (!pair.value) continue;
     const auto [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
     const std::array<double, 2> value = law_on(pair, a, b);
-    (pair.law == Law::winkler ? facet.law.modulus : facet.law.friction) = value;
-    if (pair.law != Law::tresca || facet.second == -1) continue;
+    switch (pair.law) {
+      case Law::winkler: facet.law.modulus = value; break;
+      case Law::tresca: facet.law.friction = value; break;
+      default: facet.law.coulomb = value[0];
+    }
+    if (pair.law == Law::winkler || facet.second == -1) continue;
     const auto [c, d] = positions(mesh, mesh.boundary[facet.second].vertices);
     if (a != d || b != c)
       fail(Status::input, pair.where,

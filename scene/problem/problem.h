@@ -49,9 +49,13 @@ struct FacetLaw {
   std::array<double, 2> modulus = {0, 0};  ///< k of springs between them, force per area and length: p = k (r − g), the
                                            ///< unilateral ones not below zero; zero at both vertices: rigid
   std::array<double, 2> friction = {0, 0};  ///< g_T, the largest shear, force per area (Tresca)
+  /// Coulomb's μ, of which `friction` is one step: a bound of the shear by some pressure, frozen. Neither formulation
+  /// nor the certificate asks for it.
+  double coulomb = 0;
 };
 inline bool has_springs(const FacetLaw& law) { return law.modulus[0] > 0; }
-inline bool has_friction(const FacetLaw& law) { return law.friction[0] > 0 || law.friction[1] > 0; }
+/// Whether there may be shear; where `friction` is zero at both vertices, of a step of Coulomb's, there is none.
+inline bool has_friction(const FacetLaw& law) { return law.friction[0] > 0 || law.friction[1] > 0 || law.coulomb > 0; }
 
 /// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
 /// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.

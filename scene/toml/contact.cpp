@@ -47,26 +47,24 @@ Side read_side(const toml::node& node, const std::string& name, bool second) {
   return side;
 }
 
-/// "bilateral", { winkler = k, tension } or { tresca = g, liftoff }.
+/// "bilateral", { winkler = k, tension }, { tresca = g, liftoff } or { coulomb = μ }.
 void read_law(const toml::node& node, ContactPair<2>& pair) {
   const toml::table* entry = node.as_table();
   if (entry == nullptr) {
     pair.law = choice<Law>(node, "contact.law");
-    if (pair.law == Law::winkler || pair.law == Law::tresca)
+    if (pair.law == Law::winkler || pair.law == Law::tresca || pair.law == Law::coulomb)
       refuse(node, fmt::format("contact.law = \"{0}\" needs its value: write law = {{ {0} = … }}", name(pair.law)));
     return;
   }
-  for (const char* coulomb : {"coulomb", "friction"})
-    if (entry->get(coulomb))
-      refuse(node,
-             "Coulomb's friction is no minimum of an energy and has no bounds here; with a bound of the shear it "
-             "has: law = { tresca = g }");
-  check_keys(*entry, "contact.law", {"winkler", "tension", "tresca", "liftoff"});
-  pair.law = entry->get("tresca") ? Law::tresca : Law::winkler;
-  const bool springs = pair.law == Law::winkler;
-  for (const char* other : {springs ? "tresca" : "winkler", springs ? "liftoff" : "tension"})
-    if (const toml::node* wrong = entry->get(other))
-      refuse(*wrong, fmt::format("contact.law: '{}' does not belong to '{}'", other, name(pair.law)));
+  check_keys(*entry, "contact.law", {"winkler", "tension", "tresca", "liftoff", "coulomb"});
+  pair.law = entry->get("coulomb") ? Law::coulomb : entry->get("tresca") ? Law::tresca : Law::winkler;
+  for (const auto& [key, law] : {std::pair("winkler", Law::winkler),
+                                 {"tension", Law::winkler},
+                                 {"tresca", Law::tresca},
+                                 {"liftoff", Law::tresca},
+                                 {"coulomb", Law::coulomb}})
+    if (const toml::node* wrong = entry->get(key); wrong != nullptr && law != pair.law)
+      refuse(*wrong, fmt::format("contact.law: '{}' does not belong to '{}'", key, name(pair.law)));
   pair.value = function(required(*entry, "contact.law", name(pair.law)), "contact.law." + name(pair.law));
   if (const toml::node* tension = entry->get("tension")) pair.lifts_off = !truth(*tension, "contact.law.tension");
   if (const toml::node* liftoff = entry->get("liftoff")) pair.lifts_off = truth(*liftoff, "contact.law.liftoff");

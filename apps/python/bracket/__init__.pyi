@@ -106,7 +106,7 @@ class Scene:
         *,
         name: str = "",
         zones: int = 0,
-        law: Literal["frictionless", "bilateral", "winkler", "tresca"] = "frictionless",
+        law: Literal["frictionless", "bilateral", "winkler", "tresca", "coulomb"] = "frictionless",
         value: _Function | None = None,
         lifts_off: bool = True,
     ) -> None: ...
