@@ -8,86 +8,12 @@ namespace bracket::bounds {
 using scene::Support;
 using scene::Vector;
 
-namespace {
-
-/// What a perturbation adds at the ends of a facet of the first mesh, of which one end is another's that is fixed.
-Added added_at(const scene::Problem<2>& problem, const std::array<FacetEnd, 2>& ends) {
-  const auto& [by, loads, kinematics] = problem.perturbed;
-  if (!by || kinematics == 0) return {};
-  Added added{{}, {0, 0}, kinematics};
-  for (int i = 0; i < 2; ++i) {
-    added.end[i] = by->facets[ends[i].facet].displacement[ends[i].end];
-    added.normal[i] = by->facets[ends[i].facet].normal_displacement[ends[i].end];
-  }
-  return added;
-}
-
-}  // namespace
-
-std::vector<FacetEnd> fixed_vertices(const scene::Problem<2>& first) {
-  std::vector<FacetEnd> fixed(first.mesh.vertices.size());
-  for (std::size_t f = 0; f < first.facets.size(); ++f)
-    for (int i = 0; i < 2 && first.facets[f].support == Support::fixed; ++i)
-      fixed[first.mesh.boundary[f].vertices[i]] = {static_cast<int>(f), i};
-  return fixed;
-}
-
-std::array<Slide, 2> slides_of(const scene::Problem<2>& problem, const std::vector<FacetEnd>& fixed, int facet) {
-  const auto [of, corner] = scene::piece_of_facet(problem, facet);
-  const scene::Problem<2>& first = scene::first_of(problem);
-  Slide slide{first.facets[of].normal, first.facets[of].normal_displacement};
-  std::array<FacetEnd, 2> ends;
-  for (int i = 0; i < 2; ++i) {
-    const FacetEnd& held = fixed[first.mesh.boundary[of].vertices[i]];
-    slide.fixed[i] = held.facet >= 0;
-    if (slide.fixed[i]) slide.displacement[i] = first.facets[held.facet].displacement[held.end];
-    ends[i] = slide.fixed[i] ? held : FacetEnd{of, i};
-  }
-  slide.added = added_at(problem, ends);
-  std::array<Slide, 2> slides = {slide, slide};
-  for (int i = 0; i < 2; ++i) slides[i].t = corner[i][0];
-  return slides;
-}
-
-std::array<Held, 2> holds_of(const scene::Problem<2>& problem, int facet) {
-  const auto [of, corner] = scene::piece_of_facet(problem, facet);
-  std::array<Held, 2> holds;
-  for (int i = 0; i < 2; ++i)
-    holds[i] = {scene::first_of(problem).facets[of].displacement, corner[i][0],
-                added_at(problem, {FacetEnd{of, 0}, FacetEnd{of, 1}})};
-  return holds;
-}
-
-std::vector<VertexSupport> vertex_supports(const scene::Problem<2>& problem) {
-  std::vector<VertexSupport> supports(problem.mesh.vertices.size());
-  const auto fixed = fixed_vertices(scene::first_of(problem));
-  for (const Support kind : {Support::fixed, Support::sliding})
-    for (std::size_t f = 0; f < problem.facets.size(); ++f) {
-      if (problem.facets[f].support != kind) continue;
-      const int facet = static_cast<int>(f);
-      const auto slides = slides_of(problem, fixed, facet);
-      const auto holds = holds_of(problem, facet);
-      for (int i = 0; i < 2; ++i) {
-        VertexSupport& vertex = supports[problem.mesh.boundary[f].vertices[i]];
-        const Vector<2>& n = slides[i].normal;
-        if (kind == Support::fixed) {
-          vertex.fixed = true;
-          vertex.held = holds[i];
-        } else if (!vertex.fixed && vertex.slides < 2 &&
-                   (vertex.slides == 0 || (vertex.slide[0].normal != n && vertex.slide[0].normal != -n))) {
-          vertex.slide[vertex.slides++] = slides[i];
-        }
-      }
-    }
-  return supports;
-}
-
 PlainField plain_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                       const std::vector<VertexSupport>& supports) {
+                       const Supports& supports) {
   PlainField field{displacement.degree, displacement.vertex, {}};
-  for (std::size_t v = 0; v < supports.size(); ++v) {
-    const auto& [end, t, added] = supports[v].held;
-    if (!supports[v].fixed) continue;
+  for (std::size_t v = 0; v < supports.vertex.size(); ++v) {
+    const auto& [end, t, added] = supports.vertex[v].held;
+    if (!supports.vertex[v].fixed) continue;
     for (int c = 0; c < 2; ++c) {
       field.vertex[v][c] = between_ends(end[0][c], end[1][c], t);
       if (added.factor != 0)
@@ -123,14 +49,14 @@ double step(double missing, const Vector<2>& u) {
 }
 
 /// Moves one end of a contact facet out of contact. \return whether its supports let it
-bool make_way(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+bool make_way(const scene::Problem<2>& problem, const Supports& supports, PlainField& field,
               const scene::ContactFacet& pair, int end, double missing) {
   const auto& mesh = problem.mesh;
   const Vector<2>& d = problem.facets[pair.first].normal;
   const int first = mesh.boundary[pair.first].vertices[end];
   const int second = pair.second < 0 ? -1 : mesh.boundary[pair.second].vertices[1 - end];
-  const Vector<2> back = way(supports[first], d);
-  const Vector<2> away = second < 0 ? Vector<2>(Vector<2>::Zero()) : way(supports[second], d);
+  const Vector<2> back = way(supports.vertex[first], d);
+  const Vector<2> away = second < 0 ? Vector<2>(Vector<2>::Zero()) : way(supports.vertex[second], d);
   if (back.isZero(0) && away.isZero(0)) return false;
   // The one that moves less for it.
   const bool moves_first = away.isZero(0) || (!back.isZero(0) && back.norm() <= away.norm());
@@ -140,7 +66,7 @@ bool make_way(const scene::Problem<2>& problem, const std::vector<VertexSupport>
 }
 
 /// The same between: by the offset k, or, in degree 1, by the ends that can.
-bool make_way_between(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports, PlainField& field,
+bool make_way_between(const scene::Problem<2>& problem, const Supports& supports, PlainField& field,
                       const scene::ContactFacet& pair, int k, double missing) {
   if (field.degree == 1) {
     const bool at_first = make_way(problem, supports, field, pair, 0, missing);
@@ -154,11 +80,25 @@ bool make_way_between(const scene::Problem<2>& problem, const std::vector<Vertex
   return true;
 }
 
+/// Why displacements of this degree cannot keep together what has to, in one line; empty: they can.
+std::string kept_fault(const scene::Problem<2>& problem, int degree, const Supports& supports) {
+  if (!supports.fault.empty()) return supports.fault;
+  for (const auto& pair : problem.contact) {
+    if (degree > 1 || !keeps_together(pair.law)) continue;
+    const KeptGap& gap =
+        supports.contacts.kept[supports.contacts.of_facet[scene::piece_of_facet(problem, pair.first).of]];
+    if (!gap.is_linear || (gap.factor != 0 && !gap.is_psi_linear))
+      return "the gap of sides that keep together is not linear, as displacements of degree 1 are";
+  }
+  return "";
+}
+
 }  // namespace
 
 AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
-                                 const std::vector<VertexSupport>& supports) {
+                                 const Supports& supports) {
   constexpr int most = 100;
+  if (std::string fault = kept_fault(problem, displacement.degree, supports); !fault.empty()) return {{}, fault};
   PlainField field = plain_field(problem, displacement, supports);
   const int last = std::max(2, field.degree);
   std::vector<int> order = {0, last};  // both ends, then between
@@ -167,6 +107,7 @@ AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::
     bool settled = true;
     for (const auto& pair : problem.contact)
       for (const int k : order) {
+        if (pair.law.two_sided || scene::has_springs(pair.law)) break;
         const double missing = excess(penetration<Enclosure>(problem, supports, field, pair)[k]);
         if (!std::isfinite(missing)) return {{}, "the displacements are too large for their energies to be enclosed"};
         if (missing == 0) continue;

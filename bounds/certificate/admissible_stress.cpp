@@ -28,8 +28,11 @@ void drop_noise(const scene::Problem<2>& problem, PlainLoads& loads) {
   for (const auto& pair : problem.contact) {
     double traction = largest[mesh.cell_component[mesh.boundary[pair.first].cell]];
     if (pair.second >= 0) traction = std::max(traction, largest[mesh.cell_component[mesh.boundary[pair.second].cell]]);
+    const double least = noise * traction * scene::length(mesh, pair.first);
     for (double& p : loads.along_normal[pair.first])
-      if (p <= noise * traction * scene::length(mesh, pair.first)) p = 0;
+      if (p <= least && (!pair.law.two_sided || p >= -least)) p = 0;
+    for (double& t : loads.along_tangent[pair.first])
+      if (std::abs(t) <= least) t = 0;
   }
 }
 
@@ -151,30 +154,46 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>&
   if (degree > 1) loads.bubbles = bubbles(problem, stress);
 
   loads.along_normal.assign(problem.facets.size(), std::vector<double>(degree + 1, 0));
-  const auto on_facet = [&](int facet) {
+  loads.along_tangent.resize(problem.facets.size());
+  const auto on_facet = [&](int facet, const Vector<2>& n) {
     const auto& edge = edges[mesh.boundary[facet].edge];
     const bool along = forward(mesh.boundary[facet]);
     std::vector<double> result;
-    for (int k = 0; k <= degree; ++k)
-      result.push_back((along ? edge[k] : Vector<2>(-edge[degree - k])).dot(problem.facets[facet].normal));
+    for (int k = 0; k <= degree; ++k) result.push_back((along ? edge[k] : Vector<2>(-edge[degree - k])).dot(n));
     return result;
   };
+  const auto normal = [&](int facet) -> const Vector<2>& { return problem.facets[facet].normal; };
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (problem.facets[f].support == Support::sliding) loads.along_normal[f] = on_facet(static_cast<int>(f));
+    if (problem.facets[f].support == Support::sliding)
+      loads.along_normal[f] = on_facet(static_cast<int>(f), problem.facets[f].normal);
+  const FirstContacts contacts = first_contacts(problem);
   for (const auto& pair : problem.contact) {
     auto& pressure = loads.along_normal[pair.first];
-    pressure = on_facet(pair.first);
+    pressure = on_facet(pair.first, normal(pair.first));
     if (pair.second >= 0) {
-      const auto across = on_facet(pair.second);
+      const auto across = on_facet(pair.second, normal(pair.second));
       for (int k = 0; k <= degree; ++k) pressure[k] = (pressure[k] + across[degree - k]) / 2;
     }
     const auto [at0, at1] = opening_load<double>(problem, pair);
     for (int k = 0; k <= degree; ++k) {
       const double opening = problem.perturbed.loads * scene::linear_coefficient<double>(at0, at1, degree, k);
-      pressure[k] = std::max(0.0, opening - pressure[k]);
+      pressure[k] = pair.law.two_sided ? opening - pressure[k] : std::max(0.0, opening - pressure[k]);
+    }
+    if (!scene::has_friction(pair.law)) continue;
+    auto& shear = loads.along_tangent[pair.first];
+    shear = on_facet(pair.first, scene::tangent(normal(pair.first)));
+    if (pair.second >= 0) {
+      const auto across = on_facet(pair.second, scene::tangent(normal(pair.second)));
+      for (int k = 0; k <= degree; ++k) shear[k] = (shear[k] + across[degree - k]) / 2;
+    }
+    const auto bound = shear_bound<Enclosure>(problem, contacts, pair, degree);
+    for (int k = 0; k <= degree; ++k) {
+      const double most = std::max(0.0, lower(bound[k]));
+      shear[k] = std::clamp(-shear[k], -most, most);
     }
   }
   drop_noise(problem, loads);
+  drop_idle_shear(problem, loads);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (problem.facets[f].support == Support::fixed) continue;
     const int edge = mesh.boundary[f].edge;
@@ -188,7 +207,11 @@ PlainLoads no_loads(const scene::Problem<2>& problem, double pressure) {
   PlainLoads none;
   none.edge.assign(problem.mesh.edges.size(), {Vector<2>::Zero(), Vector<2>::Zero()});
   none.along_normal.assign(problem.facets.size(), {0, 0});
-  for (const auto& pair : problem.contact) none.along_normal[pair.first] = {pressure, pressure};
+  none.along_tangent.resize(problem.facets.size());
+  for (const auto& pair : problem.contact) {
+    none.along_normal[pair.first] = {pressure, pressure};
+    if (scene::has_friction(pair.law)) none.along_tangent[pair.first] = {0, 0};
+  }
   return none;
 }
 
@@ -196,9 +219,17 @@ std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLo
   std::vector<char> carrying;
   for (const auto& pair : problem.contact) {
     carrying.resize(std::max<std::size_t>(carrying.size(), pair.pair + 1), 0);
+    carrying[pair.pair] |= pair.law.two_sided;
     for (const double p : loads.along_normal[pair.first]) carrying[pair.pair] |= p > 0;
   }
   return carrying;
+}
+
+void drop_idle_shear(const scene::Problem<2>& problem, PlainLoads& loads) {
+  const std::vector<char> carrying = carrying_pairs(problem, loads);
+  for (const auto& pair : problem.contact)
+    if (!carrying[pair.pair])
+      for (double& t : loads.along_tangent[pair.first]) t = 0;
 }
 
 }  // namespace bracket::bounds

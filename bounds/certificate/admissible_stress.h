@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "bounds/certificate/admissible_displacement.h"
 #include "bounds/certificate/block_stress.h"
+#include "bounds/certificate/displacement_energy.h"
 #include "scene/fields.h"
 #include "scene/parallel.h"
 
@@ -21,15 +21,19 @@ struct PlainLoads {
   /// What is not linear: degree − 1 coefficients of Legendre's polynomials each, from a to b; zero there, too.
   std::vector<scene::Vector<2>> higher = {};
   /// Of each facet, degree + 1 Bernstein coefficients from its vertex 0 to its vertex 1: Γ_0: along the outward normal;
-  /// Γ_K, first sides only: the pressure, ≥ 0.
+  /// Γ_K, first sides only: the pressure, ≥ 0 but for two-sided ones.
   std::vector<std::vector<double>> along_normal = {};
+  /// On first sides with friction likewise the shear, within its bound; else empty.
+  std::vector<std::vector<double>> along_tangent = {};
   std::vector<std::vector<double>> bubbles = {};  ///< of each cell, of scene::block_fields(); degree 1: none
 };
 PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>& stress);
 /// The loads of the data alone. \param pressure on all of Γ_K
 PlainLoads no_loads(const scene::Problem<2>& problem, double pressure = 0);
-/// Which contact pairs press anywhere.
+/// Which contact pairs press anywhere, or may as well pull. The others have no shear.
 std::vector<char> carrying_pairs(const scene::Problem<2>& problem, const PlainLoads& loads);
+/// Takes the shear off the pairs that carry nothing.
+void drop_idle_shear(const scene::Problem<2>& problem, PlainLoads& loads);
 
 /// The same loads with `Number`, those of the data included.
 template <class Number> struct EdgeLoads {
@@ -37,6 +41,7 @@ template <class Number> struct EdgeLoads {
   std::vector<SideLoad<Number>> edge = {};
   std::vector<Vector2<Number>> higher = {};
   std::vector<std::vector<Number>> along_normal = {};
+  std::vector<std::vector<Number>> along_tangent = {};
   std::vector<std::vector<double>> bubbles = {};
 };
 
@@ -78,7 +83,7 @@ void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int
 }
 
 /// Writes the loads of Γ_0 and Γ_K into the edges.
-template <class Number> void spread_normal_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
+template <class Number> void spread_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
   const auto along = [&](int facet, const std::vector<Number>& coefficients) {
     const auto& at = problem.mesh.boundary[facet];
     const Vector2<Number> n = vector2<Number>(problem.facets[facet].normal);
@@ -86,6 +91,17 @@ template <class Number> void spread_normal_loads(const scene::Problem<2>& proble
     set_boundary_load(loads, problem.mesh, facet, {linear[0] * n, linear[1] * n});
     for (int k = 2; k <= loads.degree; ++k)
       loads.higher[(loads.degree - 1) * at.edge + k - 2] = oriented_higher(higher[k - 2] * n, k, forward(at));
+  };
+  const auto add_shear = [&](int facet, const std::vector<Number>& coefficients) {
+    const auto& at = problem.mesh.boundary[facet];
+    const Vector2<Number> t = turned(vector2<Number>(problem.facets[facet].normal));
+    const auto [linear, higher] = split<Number>(coefficients);
+    const SideLoad<Number> added = oriented<Number>({linear[0] * t, linear[1] * t}, forward(at));
+    for (int end = 0; end < 2; ++end) loads.edge[at.edge][end] = loads.edge[at.edge][end] + added[end];
+    for (int k = 2; k <= loads.degree; ++k) {
+      auto& of_edge = loads.higher[(loads.degree - 1) * at.edge + k - 2];
+      of_edge = of_edge + oriented_higher(higher[k - 2] * t, k, forward(at));
+    }
   };
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support == scene::Support::sliding) along(static_cast<int>(f), loads.along_normal[f]);
@@ -100,6 +116,12 @@ template <class Number> void spread_normal_loads(const scene::Problem<2>& proble
     along(pair.first, load);
     std::reverse(load.begin(), load.end());
     if (pair.second >= 0) along(pair.second, load);  // its normal is the opposite
+    if (loads.along_tangent[pair.first].empty()) continue;
+    std::vector<Number> shear;
+    for (const Number& coefficient : loads.along_tangent[pair.first]) shear.push_back(-coefficient);
+    add_shear(pair.first, shear);
+    std::reverse(shear.begin(), shear.end());
+    if (pair.second >= 0) add_shear(pair.second, shear);
   }
 }
 
@@ -112,12 +134,14 @@ EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& g
   for (const auto& coefficient : given.higher) loads.higher.push_back(vector2<Number>(coefficient));
   for (const auto& coefficients : given.along_normal)
     loads.along_normal.emplace_back(coefficients.begin(), coefficients.end());
+  for (const auto& coefficients : given.along_tangent)
+    loads.along_tangent.emplace_back(coefficients.begin(), coefficients.end());
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
     if (carries_load(problem, corrections, facet))
       set_boundary_load(loads, problem.mesh, facet, prescribed_load(problem, corrections, facet));
   }
-  spread_normal_loads(problem, loads);
+  spread_loads(problem, loads);
   return loads;
 }
 
@@ -224,7 +248,8 @@ Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>&
   return sum;
 }
 
-/// S(λ) [HH81 (1.11)] of the stresses of balanced loads. \tparam Sum with add() and value()
+/// S(λ) [HH81 (1.11)] of the stresses of balanced loads, with ∫ φ* of the contact laws from above. \tparam Sum with
+/// add() and value()
 template <class Number, class Sum>
 Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
@@ -249,8 +274,12 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
                                            std::vector<Number>{value<Number>(begin), value<Number>(end)}));
     }
   }
-  for (const auto& pair : problem.contact)
-    energy.add(scene::bernstein_product(loads.along_normal[pair.first], gap_on<Number>(pair.upper, 2)));
+  const FirstContacts contacts = first_contacts(problem);
+  for (const auto& pair : problem.contact) {
+    const std::vector<Number>& pressure = loads.along_normal[pair.first];
+    energy.add(scene::bernstein_product(pressure, gap_paid<Number>(problem, contacts, pair, 2)));
+    if (scene::has_springs(pair.law)) energy.add(compliance_energy(problem, contacts, pair, pressure));
+  }
   return energy.value();
 }
 

@@ -22,8 +22,8 @@ template <class Number, class Sum>
 Balanced<Number> balanced(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
                           PlainLoads given) {
   const std::vector<Reference> about = references(scene::first_of(problem).mesh);
-  // A pressure that is rounding itself may be too small to take what is missing: then another has to. Where none can,
-  // all of its pair are rounding.
+  // A pressure that is rounding itself may be too small to take what is missing, a shear too near to its bound: then
+  // another has to. Where no pressure can, all of its pair are rounding.
   constexpr std::size_t most = 20;
   std::vector<Reaction> barred;
   while (true) {
@@ -39,9 +39,9 @@ Balanced<Number> balanced(const scene::Problem<2>& problem, const std::vector<Co
       continue;
     }
     add_reactions(problem, chosen, *amounts, loads);
-    const std::optional<Reaction> tension = in_tension(loads, chosen, problem);
-    if (!tension) return {handed_on(problem, about, loads), ""};
-    barred.push_back(*tension);
+    const std::optional<Reaction> beyond = beyond_law(problem, loads, chosen);
+    if (!beyond) return {handed_on(problem, about, loads), ""};
+    barred.push_back(*beyond);
   }
 }
 

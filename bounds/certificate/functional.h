@@ -19,8 +19,8 @@ bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<En
 /// Q(v) = ∫ F_q·v + ∫ P_q·v.
 /// \param corrections of the perturbation's loads, as corrected() has them for perturbation_alone()
 template <class Number, class Sum>
-Number perturbing_work(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                       const PlainField& field, const std::vector<Corrected<Number>>& corrections) {
+Number perturbing_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                       const std::vector<Corrected<Number>>& corrections) {
   const auto& mesh = problem.mesh;
   const auto& by = *problem.perturbed.by;
   const MovedField<Number> all = moved<Number>(problem, supports, field);
@@ -65,24 +65,38 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
                                        std::vector<Number>{added<Number>(begin), added<Number>(end)}));
     }
   }
+  const FirstContacts contacts = first_contacts(problem);
   for (const auto& pair : problem.contact) {
     const scene::Piece<1> piece = scene::piece_of_facet(problem, pair.first);
-    const auto psi = scene::psi<Number>(by.contact[by.contact_of[piece.of]], problem.facets[pair.first].normal, piece);
+    auto psi = scene::psi<Number>(by.contact[by.contact_of[piece.of]], problem.facets[pair.first].normal, piece);
+    if (pair.law.two_sided)
+      psi = scene::on_stretch(kept_psi<Number>(contacts.kept[by.contact_of[piece.of]]), piece.corner[0][0],
+                              piece.corner[1][0]);
     sum.add(-scene::bernstein_product(loads.along_normal[pair.first], std::vector<Number>(psi.begin(), psi.end())));
   }
   return sum.value();
 }
 
-/// κ = ∫ p (g − r(v)), g the upper gap.
+/// κ = ∫ [φ(r) + φ*(p) − p r − τ v_t] with the laws' energies from above: without a law ∫ p (g − r(v)), g the upper
+/// gap.
 template <class Number, class Sum>
-Number contact_work(const scene::Problem<2>& problem, const std::vector<VertexSupport>& supports,
-                    const PlainField& field, const EdgeLoads<Number>& loads) {
+Number contact_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                    const EdgeLoads<Number>& loads) {
   Sum sum;
   for (const auto& pair : problem.contact) {
-    const std::vector<Number> r = approach_on<Number>(problem, supports, field, pair);
-    std::vector<Number> left = gap_on<Number>(pair.upper, field.degree);
-    for (std::size_t k = 0; k < r.size(); ++k) left[k] -= r[k];
-    sum.add(scene::bernstein_product(loads.along_normal[pair.first], left));
+    const std::vector<Number>& pressure = loads.along_normal[pair.first];
+    if (!keeps_together(pair.law)) {
+      const std::vector<Number> r = approach_on<Number>(problem, supports, field, pair);
+      std::vector<Number> left = gap_paid<Number>(problem, supports.contacts, pair, field.degree);
+      for (std::size_t k = 0; k < r.size(); ++k) left[k] -= r[k];
+      sum.add(scene::bernstein_product(pressure, left));
+    }
+    if (!has_law(pair.law)) continue;
+    sum.add(law_energy<Number>(problem, supports, field, pair));
+    sum.add(compliance_energy(problem, supports.contacts, pair, pressure));
+    if (scene::has_friction(pair.law))
+      sum.add(
+          -scene::bernstein_product(loads.along_tangent[pair.first], slip_on<Number>(problem, supports, field, pair)));
   }
   return sum.value();
 }

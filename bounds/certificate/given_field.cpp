@@ -129,6 +129,8 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
 std::string fault_of_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
   if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
   if (std::string fault = problem_fault(first); !fault.empty()) return fault;
+  if (std::ranges::any_of(first.contact, [](const auto& pair) { return has_law(pair.law); }))
+    return "displacements from elsewhere are assessed in frictionless contact only: without laws of its own";
   if (given.degree > 2) return "displacements of a degree above 2 violate a contact by more than quadratics";
   return displacement_fault(first, given);
 }
@@ -139,7 +141,7 @@ GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacem
   if (std::string fault = fault_of_given(first, given); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
   if (!unbalanced.empty()) return {.reason = unbalanced};
-  const std::vector<VertexSupport> supports = vertex_supports(first);
+  const Supports supports = supports_of(first);
   const PlainField field = plain_field(first, given, supports);
   const MovedField<Enclosure> added = moved<Enclosure>(first, supports, field);
   const auto energy = field_energy<Enclosure, LongSum>(first, supports, field, corrections);

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <set>
 
+#include "scene/problem/law.h"
+
 namespace bracket::bounds {
 
 namespace {
@@ -40,10 +42,12 @@ std::set<Link> links_of(const scene::Problem<2>& problem, const std::vector<char
     for (int c = 0; c < 2; ++c) links.insert(link(body, ground, scene::Vector<2>::Unit(c)));
   }
   for (const auto& pair : problem.contact) {
-    if (!carrying[pair.pair]) continue;
+    if (!carrying[pair.pair] && !pair.law.two_sided) continue;
     const int other = pair.second < 0 ? ground : component(problem, pair.second);
-    if (other != component(problem, pair.first))
-      links.insert(link(component(problem, pair.first), other, problem.facets[pair.first].normal));
+    if (other == component(problem, pair.first)) continue;
+    const scene::Vector<2>& d = problem.facets[pair.first].normal;
+    links.insert(link(component(problem, pair.first), other, d));
+    if (scene::has_friction(pair.law)) links.insert(link(component(problem, pair.first), other, scene::tangent(d)));
   }
   return links;
 }
@@ -96,7 +100,7 @@ int unheld_motions(const scene::Problem<2>& problem, const std::vector<char>& ca
     if (joined.find_set(body) != joined.find_set(bodies)) turning.insert(joined.find_set(body));
   // Sides at a distance lie along their direction but for rounding: a turn of both meets that rounding.
   for (const auto& pair : problem.contact)
-    if (carrying[pair.pair] && pair.second >= 0 && !touch(problem, pair))
+    if ((carrying[pair.pair] || pair.law.two_sided) && pair.second >= 0 && !touch(problem, pair))
       turning.erase(joined.find_set(component(problem, pair.first)));
   return static_cast<int>(turning.size()) + 2 * bodies - rank(std::move(rows));
 }

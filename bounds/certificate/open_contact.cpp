@@ -14,13 +14,14 @@ namespace {
 /// Of each contact facet: the gap that is left on all of it for sure; none where the displacements are not admissible,
 /// and where pressures can be tension, of which little need not be said.
 std::vector<double> least_gaps(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
-  const auto supports = vertex_supports(problem);
+  const auto supports = supports_of(problem);
   const auto [field, reason] = admissible_field(problem, displacement, supports);
   std::vector<double> gaps;
   for (const auto& contact : problem.contact) {
     double least = std::numeric_limits<double>::infinity();
-    if (!field || contact.law.two_sided) least = 0;
-    if (field)
+    if (!field || contact.law.two_sided)
+      least = 0;
+    else
       for (const Enclosure& coefficient : penetration<Enclosure>(problem, supports, *field, contact))
         least = std::min(least, lower(-coefficient));
     gaps.push_back(least);

@@ -200,6 +200,7 @@ std::string problem_fault(const Problem<2>& problem) {
     if (std::string fault = contact_fault(*one); !fault.empty()) return fault;
     if (&first == &problem) break;
   }
+  if (std::string fault = law_fault(problem); !fault.empty()) return fault;
   if (std::string fault = load_fault(first); !fault.empty()) return fault;
   return support_fault(first);
 }

@@ -17,6 +17,8 @@ namespace bracket::bounds {
 ///   scene::enclosed_gap() finds them where they are no quadratics, and bodies have its materials and weights;
 /// - the two facets of a contact lie on each other, cut alike; directions are unit vectors, opposite to the last bit on
 ///   the two sides and within 25° of the geometric normals;
+/// - laws of contacts are finite, springs at both ends or none, friction not negative, only of sides that coincide and
+///   not beside springs, gaps of two-sided ones known up to rounding; after refinement they are the first mesh's;
 /// - displacements that are prescribed twice agree.
 /// It trusts that the cells of the first mesh do not overlap beyond their edges, and that the first mesh and its data
 /// are what the user meant; and that functions over intervals, and so enclosed_gap(), enclose what they say.
@@ -33,6 +35,9 @@ std::string topology_fault(const scene::Problem<2>& problem);
 std::string piece_fault(const scene::Problem<2>& problem);
 /// and of materials and weights, as the first mesh has them. \pre perturbation_fault() finds none
 std::string body_fault(const scene::Problem<2>& problem);
+
+/// A part of it, of contact laws. \pre the contacts are those of the first mesh
+std::string law_fault(const scene::Problem<2>& problem);
 
 /// A part of it, empty for a problem that is not perturbed: what is added to the data fits the first mesh, is finite,
 /// loads Γ_τ alone (and contacts by their opening), and is made of traces of finite energy: displacements that are one

@@ -16,8 +16,31 @@ struct Candidate {
   double weight;
 };
 
+/// How much a pressure may fall before it is none.
+double pressing(const scene::ContactFacet& pair, double p) { return pair.law.two_sided ? std::abs(p) : p; }
+
+/// What is left of a shear's bound.
+struct Slack {
+  const scene::ContactFacet* pair;
+  int which;
+  double left;
+};
+std::vector<Slack> shear_slacks(const scene::Problem<2>& problem, const PlainLoads& loads,
+                                const std::vector<char>& carrying) {
+  std::vector<Slack> result;
+  const FirstContacts contacts = first_contacts(problem);
+  for (const auto& pair : problem.contact) {
+    if (!scene::has_friction(pair.law) || !carrying[pair.pair]) continue;
+    const auto bound = shear_bound<Enclosure>(problem, contacts, pair, loads.degree);
+    for (int k = 0; k <= loads.degree; ++k)
+      result.push_back({&pair, k, lower(bound[k]) - std::abs(loads.along_tangent[pair.first][k])});
+  }
+  return result;
+}
+
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
-  constexpr double of_nothing = 1e-4, of_data = 1e-8;  // so small that these come last: see reactions()
+  constexpr double of_nothing = 1e-4, of_shear = 1e-6,
+                   of_data = 1e-9;  // so small that these come last: see reactions()
   std::vector<Candidate> result;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
@@ -32,12 +55,23 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
   std::vector<double> largest;  // pressure of each pair
   for (const auto& pair : problem.contact) {
     largest.resize(std::max<std::size_t>(largest.size(), pair.pair + 1), 0);
-    for (const double p : loads.along_normal[pair.first]) largest[pair.pair] = std::max(largest[pair.pair], p);
+    for (const double p : loads.along_normal[pair.first])
+      largest[pair.pair] = std::max(largest[pair.pair], pressing(pair, p));
   }
+  const std::vector<char> carrying = carrying_pairs(problem, loads);
   for (const auto& pair : problem.contact)
-    for (int k = 0; k <= loads.degree && largest[pair.pair] > 0; ++k)
+    for (int k = 0; k <= loads.degree && carrying[pair.pair]; ++k) {
+      const double p = pressing(pair, loads.along_normal[pair.first][k]);
       result.push_back({{Reaction::Kind::normal, pair.first, k, pair.second, loads.degree},
-                        std::max(loads.along_normal[pair.first][k] / largest[pair.pair], of_nothing)});
+                        p > 0 ? std::max(p / largest[pair.pair], of_nothing) : of_nothing});
+    }
+  const std::vector<Slack> slacks = shear_slacks(problem, loads, carrying);
+  double most = 0;
+  for (const Slack& slack : slacks) most = std::max(most, slack.left);
+  for (const auto& [pair, k, left] : slacks)
+    if (left > 0)
+      result.push_back({{Reaction::Kind::shear, pair->first, k, pair->second, loads.degree},
+                        of_shear * std::max(left / most, 1e-2)});
   for (std::size_t i = 0; i < scene::first_of(problem).corrections.size(); ++i)
     result.push_back({{Reaction::Kind::correction, -1, static_cast<int>(i)}, of_data});
   return result;
@@ -69,39 +103,14 @@ bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<React
   std::set<int> pairs;
   for (const auto& facet : problem.contact)
     for (const Reaction& one : barred)
-      if (one.facet == facet.first && loads.along_normal[facet.first][one.which] > 0) pairs.insert(facet.pair);
+      if (one.kind == Reaction::Kind::normal && one.facet == facet.first &&
+          loads.along_normal[facet.first][one.which] > 0)
+        pairs.insert(facet.pair);
   for (const auto& facet : problem.contact)
     if (pairs.contains(facet.pair))
       for (double& p : loads.along_normal[facet.first]) p = 0;
+  drop_idle_shear(problem, loads);
   return !pairs.empty();
-}
-
-// Gaussian elimination: zeros stay zeros, so that what does not act on a body stays zero exactly.
-std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure>> a, std::vector<Enclosure> b) {
-  const std::size_t n = b.size();
-  const auto certain = [](const Enclosure& x) { return std::abs(x.middle) - x.radius; };  // size, whatever the rounding
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (certain(a[i][k]) > certain(a[pivot][k])) pivot = i;
-    if (!(certain(a[pivot][k]) > 0)) return {};
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (a[i][k].is_zero()) continue;
-      const Enclosure factor = a[i][k] / a[k][k];
-      for (std::size_t j = k + 1; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  std::vector<Enclosure> x(n);
-  for (std::size_t k = n; k-- > 0;) {
-    Enclosure rest = b[k];
-    for (std::size_t j = k + 1; j < n; ++j) rest -= a[k][j] * x[j];
-    x[k] = rest / a[k][k];
-    if (!std::isfinite(magnitude(x[k]))) return {};
-  }
-  return x;
 }
 
 }  // namespace bracket::bounds

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "bounds/certificate/linear_system.h"
 #include "bounds/certificate/totals.h"
 
 /// Reactions that hold the bodies as wholes.
@@ -13,35 +14,34 @@ struct Reaction {
   enum class Kind {
     any,        ///< Γ_u; `which` 0, 1: uniform along x, y; 2: linear along the normal, without resultant force
     normal,     ///< Γ_0 and Γ_K: along the normal, the Bernstein polynomial `which` of the facet
+    shear,      ///< Γ_K with friction: along the tangent, likewise
     correction  ///< of the first mesh's loads, `which` of Problem::corrections
   };
   Kind kind;
   int facet;
   int which;
   int other = -1;  ///< Γ_K: the second side
-  int degree = 1;  ///< normal: of the polynomial
+  int degree = 1;  ///< normal, shear: of the polynomial
   bool operator==(const Reaction&) const = default;
 };
 
 /// Reactions whose resultants on the bodies are a basis of all: 3 for each body. Pressures are taken of pairs that
-/// carry, where they are large and may fall before those of zero, which may rise; corrections only where nothing else
-/// acts on a motion.
-/// \param barred pressures that are not to be taken   \return fewer where no basis was found
+/// carry, where they are large and may fall before those of zero, which may rise; shear of these, where much is left to
+/// its bound, only where no pressure or support acts on a motion; corrections only where nothing else does.
+/// \param barred pressures and shears that are not to be taken   \return fewer where no basis was found
 std::vector<Reaction> reactions(const scene::Problem<2>& problem, const std::vector<Reference>& references,
                                 const PlainLoads& loads, const std::vector<Reaction>& barred);
 
 /// Takes all pressures off the pairs of which one that is not zero is barred. \return false where there are none
 bool drop_barred_pairs(const scene::Problem<2>& problem, const std::vector<Reaction>& barred, PlainLoads& loads);
 
-/// x with A x = b. \return nothing where A may be singular
-std::optional<std::vector<Enclosure>> solution(std::vector<std::vector<Enclosure>> a, std::vector<Enclosure> b);
-
 /// The unit of a reaction as a load on its facet: what is linear of it, which has its resultant.
 template <class Number> SideLoad<Number> unit_load(const scene::Problem<2>& problem, const Reaction& reaction) {
-  if (reaction.kind == Reaction::Kind::normal) {
+  if (reaction.kind == Reaction::Kind::normal || reaction.kind == Reaction::Kind::shear) {
     std::vector<Number> unit(reaction.degree + 1, Number(0));
     unit[reaction.which] = Number(1);
-    const Vector2<Number> n = vector2<Number>(problem.facets[reaction.facet].normal);
+    Vector2<Number> n = vector2<Number>(problem.facets[reaction.facet].normal);
+    if (reaction.kind == Reaction::Kind::shear) n = turned(n);
     const auto [at0, at1] = split<Number>(unit).linear;
     return {at0 * n, at1 * n};
   }
@@ -69,7 +69,7 @@ std::vector<Number> effect(const scene::Problem<2>& problem, const std::vector<R
     return result;
   }
   SideLoad<Number> load = unit_load<Number>(problem, reaction);
-  if (problem.facets[reaction.facet].support == scene::Support::contact) {  // a pressure
+  if (problem.facets[reaction.facet].support == scene::Support::contact) {  // a pressure or shear
     load = {-load[0], -load[1]};
     if (reaction.other >= 0) on(problem, reaction.other, {-load[1], -load[0]});
   }
@@ -102,6 +102,7 @@ void add_reactions(const scene::Problem<2>& problem, const std::vector<Reaction>
   for (std::size_t j = 0; j < chosen.size(); ++j) {
     const auto& [kind, facet, which, other, degree] = chosen[j];
     if (kind == Reaction::Kind::normal) loads.along_normal[facet][which] += amounts[j];
+    if (kind == Reaction::Kind::shear) loads.along_tangent[facet][which] += amounts[j];
     if (kind != Reaction::Kind::any) continue;
     SideLoad<Number> load = unit_load<Number>(problem, chosen[j]);
     for (auto& end : load) end = amounts[j] * end;
@@ -109,17 +110,29 @@ void add_reactions(const scene::Problem<2>& problem, const std::vector<Reaction>
     auto& edge = loads.edge[problem.mesh.boundary[facet].edge];
     for (int end = 0; end < 2; ++end) edge[end] = edge[end] + oriented(load, along)[end];
   }
-  spread_normal_loads(problem, loads);
+  spread_loads(problem, loads);
 }
 
-/// The first of the chosen pressures that would have to be tension; nothing: none.
+/// The first of the chosen pressures that would have to be tension where that cannot be, or of the shears that would
+/// have to exceed its bound; nothing: none.
 template <class Number>
-std::optional<Reaction> in_tension(const EdgeLoads<Number>& loads, const std::vector<Reaction>& chosen,
-                                   const scene::Problem<2>& problem) {
-  for (const Reaction& reaction : chosen)
-    if (reaction.kind == Reaction::Kind::normal && problem.facets[reaction.facet].support == scene::Support::contact &&
-        !certainly_non_negative(loads.along_normal[reaction.facet][reaction.which]))
+std::optional<Reaction> beyond_law(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads,
+                                   const std::vector<Reaction>& chosen) {
+  std::vector<const scene::ContactFacet*> contact_at(problem.facets.size(), nullptr);
+  for (const auto& pair : problem.contact) contact_at[pair.first] = &pair;
+  const FirstContacts contacts = first_contacts(problem);
+  for (const Reaction& reaction : chosen) {
+    if (reaction.kind != Reaction::Kind::normal && reaction.kind != Reaction::Kind::shear) continue;
+    const scene::ContactFacet* pair = contact_at[reaction.facet];
+    if (!pair) continue;
+    if (reaction.kind == Reaction::Kind::shear) {
+      const Number bound = shear_bound<Number>(problem, contacts, *pair, loads.degree)[reaction.which];
+      const Number& shear = loads.along_tangent[reaction.facet][reaction.which];
+      if (!certainly_non_negative(bound - shear) || !certainly_non_negative(bound + shear)) return reaction;
+    } else if (!pair->law.two_sided && !certainly_non_negative(loads.along_normal[reaction.facet][reaction.which])) {
       return reaction;
+    }
+  }
   return {};
 }
 

@@ -40,7 +40,7 @@ Below from_stress(const scene::Problem<2>& problem, const std::vector<Corrected<
 
 Above from_displacement(const scene::Problem<2>& problem, const std::vector<Corrected<Enclosure>>& corrections,
                         const scene::Displacement<2>& displacement) try {
-  Above above{"", {}, vertex_supports(problem), {}};
+  Above above{"", {}, supports_of(problem), {}};
   auto [field, reason] = admissible_field(problem, displacement, above.supports);
   above.reason = reason;
   if (!field) return above;

@@ -16,7 +16,7 @@ struct Below {
 struct Above {
   std::string reason;
   FieldEnergy<Enclosure> energy;
-  std::vector<VertexSupport> supports;
+  Supports supports;
   PlainField field;
 };
 struct Sides {

@@ -37,7 +37,7 @@ TEST(Certificate, fields_are_admissible_exactly) {
   for_all_cases([](const scene::Problem<2>& problem, const Certificate&, const Judged& exact) {
     EXPECT_EQ(faults(problem, exact.displacement), std::vector<std::string>{});
     EXPECT_EQ(faults(problem, exact.stress), std::vector<std::string>{});
-    const auto supports = vertex_supports(problem);
+    const auto supports = supports_of(problem);
     for (const auto& pair : problem.contact)
       for (const Exact& r : penetration<Exact>(problem, supports, exact.field, pair)) EXPECT_LE(r, Exact(0));
   });
@@ -45,7 +45,7 @@ TEST(Certificate, fields_are_admissible_exactly) {
 
 TEST(Certificate, energies_are_those_of_the_fields_exactly) {
   for_all_cases([](const scene::Problem<2>& problem, const Certificate&, const Judged& exact) {
-    const auto supports = vertex_supports(problem);
+    const auto supports = supports_of(problem);
     const Exact l = potential_energy(problem, exact.displacement, exact.stress.added);
     const Exact s = complementary_energy(problem, exact.stress, exact.displacement);
     EXPECT_EQ((field_energy<Exact, RationalSum>(problem, supports, exact.field, exact.stress.added).total), l);
@@ -76,7 +76,7 @@ TEST(Certificate, nothing_penetrates_however_little) {
   tests::Case c = {"touching_at_rest", tests::touching_end(0), true};
   c.scene.blocks = {tests::block("block", 0, 1, 0, 1, 16, 1)};
   const auto problem = tests::problem_of(c);
-  const auto supports = vertex_supports(problem);
+  const auto supports = supports_of(problem);
   const Vector<2>& d = problem.facets[problem.contact[0].first].normal;
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> along(-1, 1);

@@ -97,7 +97,7 @@ template <class Check> void for_all_quantities(bool on_finer, const Check& check
   int checked = 0;
   const auto plain = primal::solve(problem, 2);
   ASSERT_EQ(plain.termination, contact::Termination::solved);
-  const auto supports = vertex_supports(problem);
+  const auto supports = supports_of(problem);
   const auto own = exact_displacement(problem, *admissible_field(problem, plain.displacement, supports).field);
   for (const Quantity<2>& asked : quantities()) {
     SCOPED_TRACE(name(asked.kind) + " of " + asked.of);

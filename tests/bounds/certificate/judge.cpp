@@ -10,7 +10,7 @@ using scene::Support;
 
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field) {
   const auto& mesh = problem.mesh;
-  const MovedField<Exact> all = moved<Exact>(problem, vertex_supports(problem), field);
+  const MovedField<Exact> all = moved<Exact>(problem, supports_of(problem), field);
   const auto& indices = scene::bernstein_indices(field.degree);
   ExactDisplacement u;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -185,7 +185,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
 Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
               const scene::Stress<2>& stress) {
   Judged result;
-  result.field = admissible_field(problem, displacement, vertex_supports(problem)).field.value();
+  result.field = admissible_field(problem, displacement, supports_of(problem)).field.value();
   const auto [corrections, reason] = corrected<Exact, RationalSum>(scene::first_of(problem));
   EXPECT_EQ(reason, "");
   result.loads = balanced<Exact, RationalSum>(problem, corrections, plain_loads(problem, stress)).loads.value();

@@ -79,7 +79,7 @@ ExactDisplacement combination(const Exact& a, const ExactDisplacement& u, const 
 }
 
 ExactDisplacement on_supports(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
-  return exact_displacement(first, plain_field(first, given, vertex_supports(first)));
+  return exact_displacement(first, plain_field(first, given, supports_of(first)));
 }
 
 std::vector<Exact> squared_distances(const scene::Problem<2>& problem, const Judged& own,

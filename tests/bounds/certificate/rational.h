@@ -2,6 +2,8 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -36,6 +38,11 @@ inline auto operator<=>(const Exact& x, const Exact& y) { return x.value.compare
 inline bool is_zero(const Exact& x) { return x.value.is_zero(); }
 inline bool certainly_non_negative(const Exact& x) { return x.value >= 0; }
 inline double rounded(const Exact& x) { return x.value.convert_to<double>(); }
+/// The least double that is not less.
+inline double upper(const Exact& x) {
+  const double near = rounded(x);
+  return Rational(near) < x.value ? std::nextafter(near, std::numeric_limits<double>::infinity()) : near;
+}
 inline std::ostream& operator<<(std::ostream& out, const Exact& x) { return out << "about " << rounded(x); }
 
 /// \throw std::domain_error where x is not the square of a rational number

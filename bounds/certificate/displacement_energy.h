@@ -1,0 +1,209 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/certificate/admissible_displacement.h"
+#include "bounds/certificate/arithmetic.h"
+#include "bounds/certificate/elastic_form.h"
+#include "bounds/certificate/laws.h"
+#include "scene/parallel.h"
+
+/// The energy of displacements: real numbers that `Number` encloses or holds exactly.
+namespace bracket::bounds {
+
+template <class Number> struct FieldEnergy {
+  Number strain;  ///< ½ A(v,v)
+  Number total;   ///< L(v), and what contact laws add, not below
+};
+
+/// A correction of the first mesh's loads, by its true amount.
+template <class Number> struct Corrected {
+  int facet;  ///< of the first mesh
+  FacetLoad<Number> load;
+};
+
+/// Adds what corrections have on a facet of Γ_τ to a load on it.
+template <class Number>
+void add_corrections(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet,
+                     FacetLoad<Number>& load) {
+  if (corrections.empty()) return;
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  const Number width(corner[1][0] - corner[0][0]);
+  for (const auto& [corrected, added] : corrections)
+    for (int i = 0; i < 2 && corrected == of; ++i)
+      load[i] = load[i] + width * between_ends(added[0], added[1], corner[i][0]);
+}
+
+/// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
+template <class Number>
+FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
+                                  int facet) {
+  FacetLoad<Number> load = given_load<Number>(problem, facet);
+  add_corrections(problem, corrections, facet, load);
+  return load;
+}
+
+/// Whether anything is prescribed on a facet of Γ_τ.
+template <class Number>
+bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
+  const int of = scene::piece_of_facet(problem, facet).of;
+  return scene::is_loaded(scene::first_of(problem).facets[of]) || has_perturbing_load(problem, facet) ||
+         std::any_of(corrections.begin(), corrections.end(), [&](const auto& one) { return one.facet == of; });
+}
+
+/// The field that a plain one stands for.
+template <class Number> struct MovedField {
+  std::vector<Vector2<Number>> shifts;      ///< of all vertices, to be added to the plain displacements
+  scene::Offsets<Vector2<Number>> offsets;  ///< moved onto supports and ties
+};
+template <class Number>
+MovedField<Number> moved(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field) {
+  MovedField<Number> result;
+  for (std::size_t v = 0; v < field.vertex.size(); ++v)
+    result.shifts.push_back(shift<Number>(supports, field, static_cast<int>(v)));
+  for (const auto& w : field.offset.edge) result.offsets.edge.push_back(vector2<Number>(w));
+  for (const auto& w : field.offset.cell) result.offsets.cell.push_back(vector2<Number>(w));
+  const int n = scene::n_inside_edge(field.degree);
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    if (problem.facets[f].support != scene::Support::sliding) continue;
+    for (int k = 0; k < n; ++k) {
+      Vector2<Number>& w = result.offsets.edge[n * problem.mesh.boundary[f].edge + k];
+      w = w + onto(w, problem.facets[f].normal, Number(0));
+    }
+  }
+  for (const auto& pair : problem.contact) {
+    if (!keeps_together(pair.law) || n == 0) continue;
+    const auto factors = tied_offsets<Number>(problem, supports, field, pair);
+    const Vector2<Number> d = vector2<Number>(problem.facets[pair.first].normal);
+    const auto at = [&](int facet, int k) -> Vector2<Number>& {
+      const auto& on = problem.mesh.boundary[facet];
+      return result.offsets.edge[scene::place_inside_edge(problem.mesh, field.degree, on.edge, on.vertices[0], k)];
+    };
+    for (int k = 1; k <= n; ++k) {
+      at(pair.first, k) = at(pair.first, k) + factors[k] * d;
+      if (pair.second >= 0) at(pair.second, field.degree - k) = at(pair.second, field.degree - k) - factors[k] * d;
+    }
+  }
+  return result;
+}
+
+/// The strain on a cell (xx, yy and twice xy), by Bernstein coefficients of one degree less.
+template <class Number>
+std::vector<std::array<Number, 3>> cell_strain(const scene::Problem<2>& problem, const PlainField& field,
+                                               const MovedField<Number>& moved, int cell) {
+  const auto& mesh = problem.mesh;
+  const auto& v = mesh.cells[cell];
+  const std::array<Vector2<Number>, 3> x = corners<Number>(problem, cell);
+  const Number by_doubled_area = Number(1) / doubled_area(x);
+  std::array<Vector2<Number>, 3> gradient;  // of φ
+  for (int k = 0; k < 3; ++k) gradient[k] = by_doubled_area * turned(x[(k + 2) % 3] - x[(k + 1) % 3]);
+  std::array<Number, 3> linear = {Number(0), Number(0), Number(0)};
+  const auto add = [&](std::array<Number, 3>& strain, const Vector2<Number>& slope, int k) {
+    strain[0] += slope.x * gradient[k].x;
+    strain[1] += slope.y * gradient[k].y;
+    strain[2] += slope.x * gradient[k].y + slope.y * gradient[k].x;
+  };
+  for (int j = 1; j < 3; ++j)
+    add(linear, between<Number>(field.vertex[v[0]], field.vertex[v[j]]) + (moved.shifts[v[j]] - moved.shifts[v[0]]), j);
+  if (field.degree == 1) return {linear};
+  const auto offset = scene::on_cell(mesh, field.degree, moved.offsets.edge, moved.offsets.cell, cell);
+  const Number factor(field.degree);
+  std::vector<std::array<Number, 3>> strain;
+  for (const auto& i : scene::bernstein_indices(field.degree - 1)) {
+    strain.push_back(linear);
+    for (int k = 0; k < 3; ++k) {
+      if (i[k] == field.degree - 1) continue;  // that of a vertex is zero
+      std::array<int, 3> above = i;
+      ++above[k];
+      add(strain.back(), factor * offset[scene::bernstein_place(above)], k);
+    }
+  }
+  return strain;
+}
+
+/// The strain energy of one cell.
+template <class Number>
+Number cell_strain_energy(const scene::Problem<2>& problem, const ElasticForm<Number>& form, const PlainField& field,
+                          const MovedField<Number>& moved, int cell) {
+  return integral([&](const std::array<Number, 3>& e) { return form.strain_energy(e); },
+                  cell_strain(problem, field, moved, cell), doubled_area(corners<Number>(problem, cell)));
+}
+
+/// ∫ F·u over a cell.
+template <class Number>
+Number cell_work(const scene::Problem<2>& problem, const PlainField& field, const MovedField<Number>& moved,
+                 const Vector2<Number>& force, int cell) {
+  const auto& mesh = problem.mesh;
+  Vector2<Number> linear, beside;  // three times its mean, and n times that of what is beside
+  for (const int v : mesh.cells[cell]) linear = linear + vector2<Number>(field.vertex[v]) + moved.shifts[v];
+  if (field.degree > 1)
+    for (const auto& w : scene::on_cell(mesh, field.degree, moved.offsets.edge, moved.offsets.cell, cell))
+      beside = beside + w;
+  const Vector2<Number> mean =
+      (Number(1) / Number(3)) * linear + (Number(1) / Number(scene::n_bernstein(field.degree))) * beside;
+  return doubled_area(corners<Number>(problem, cell)) / Number(2) * dot(force, mean);
+}
+
+/// ∫ T·u dτ over a facet of Γ_τ or Γ_K, T linear.
+template <class Number>
+Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const MovedField<Number>& moved, int facet,
+                  const std::array<Vector2<Number>, 2>& load) {
+  std::array<Vector2<Number>, 2> u;
+  for (int i = 0; i < 2; ++i) {
+    const int v = mesh.boundary[facet].vertices[i];
+    u[i] = vector2<Number>(field.vertex[v]) + moved.shifts[v];
+  }
+  Number work = linear_product(load, u);
+  for (int k = 1; k < field.degree; ++k) {
+    Vector2<Number> moment;
+    for (int i = 0; i < 2; ++i)
+      moment = moment + scene::number<Number>(scene::bernstein_mass(field.degree, k, 1, i)) * load[i];
+    work += dot(moment, vector2<Number>(offset_on(mesh, field, facet, k)));
+  }
+  return work;
+}
+
+/// L of the field that `field` stands for [HH81 §1], with ∫ φ of its contact laws.
+/// \param corrections as corrected() has them   \tparam Sum with add() and value()
+template <class Number, class Sum>
+FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                                 const std::vector<Corrected<Number>>& corrections) {
+  const auto& mesh = problem.mesh;
+  const MovedField<Number> all = moved<Number>(problem, supports, field);
+  const auto forms = elastic_forms<Number>(problem);
+  const auto of_cells = [&](int begin, int end) {
+    check_arithmetic();
+    Sum of_strain, of_force;
+    for (int cell = begin; cell < end; ++cell) {
+      const int body = mesh.cell_body[cell];
+      of_strain.add(cell_strain_energy(problem, forms[body], field, all, cell));
+      if (has_force(problem, body))
+        of_force.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
+    }
+    return std::array<Number, 2>{of_strain.value(), of_force.value()};
+  };
+  Sum strain, work;
+  using Parts = std::array<Number, 2>;
+  for (const auto& [of_strain, of_force] : scene::of_chunks<Parts>(static_cast<int>(mesh.cells.size()), of_cells)) {
+    strain.add(of_strain);
+    work.add(of_force);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    if (!carries_load(problem, corrections, facet)) continue;
+    work.add(facet_work<Number>(mesh, field, all, facet, prescribed_load(problem, corrections, facet)));
+  }
+  for (const auto& pair : problem.contact) {
+    if (!problem.perturbed.by) break;
+    const Number factor(problem.perturbed.loads);
+    const auto [at0, at1] = opening_load<Number>(problem, pair);
+    work.add(factor * scene::bernstein_product(std::vector<Number>{at0, at1},
+                                               approach_on<Number>(problem, supports, field, pair)));
+  }
+  const Number half_a = strain.value();
+  FieldEnergy<Number> energy{half_a, half_a - work.value()};
+  for (const auto& pair : problem.contact)
+    if (has_law(pair.law)) energy.total += law_energy<Number>(problem, supports, field, pair);
+  return energy;
+}
+
+}  // namespace bracket::bounds
