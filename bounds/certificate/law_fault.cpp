@@ -25,7 +25,7 @@ bool agree(const std::array<double, 2>& one, const std::array<double, 2>& other)
 /// What is wrong with the law of a contact facet of the first mesh.
 std::string own_fault(const Problem<2>& first, std::size_t contact) {
   const auto& pair = first.contact[contact];
-  const auto& [two_sided, modulus, friction] = pair.law;
+  const auto& [two_sided, modulus, friction, coulomb] = pair.law;  // μ is no part of the problem
   for (const double value : {modulus[0], modulus[1], friction[0], friction[1]})
     if (!std::isfinite(value) || value < 0) return "has a modulus or friction that is negative or not finite";
   if ((modulus[0] > 0) != (modulus[1] > 0)) return "has springs at one end only";
@@ -35,6 +35,7 @@ std::string own_fault(const Problem<2>& first, std::size_t contact) {
     const auto other = positions(first.mesh, first.mesh.boundary[pair.second].vertices);
     if (one[0] != other[1] || one[1] != other[0]) return "has friction across a distance";
   }
+  if (!std::isfinite(coulomb) || coulomb < 0) return "has a coefficient of friction that is negative or not finite";
   if (!two_sided) return "";
   if (!first.gaps.empty() && first.gaps[contact].function) return "is two-sided and its gap is no quadratic";
   for (int i = 0; i < 3; ++i)
