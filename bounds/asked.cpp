@@ -74,16 +74,16 @@ Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_pt
   contact::Limits all_limits{Eigen::VectorXd(rows.rows()), Eigen::VectorXd(rows.rows())};
   all_limits.lower << limits.lower, 0;
   all_limits.upper << limits.upper, std::numeric_limits<double>::infinity();
-  const double rounding = std::numeric_limits<double>::epsilon() *
-                          (static_cast<double>(problem.mesh.boundary.size() + problem.mesh.cells.size()) + 64) *
-                          added.size;
+  const double terms = std::numeric_limits<double>::epsilon() *
+                       (static_cast<double>(problem.mesh.boundary.size() + problem.mesh.cells.size()) + 64);
+  const double rounding = terms * added.size;
   // Friction costs energy: a motion free of it is one that loads changed by however little set off.
   const double held = friction ? limits.upper.tail(contact.rows() - 2 * problem.contact.size()).sum() : 0;
   const double little = std::max(own.size, held) / added.size * 0x1p-20;
   for (const double sign : {-1.0, 1.0}) {
-    const contact::Balance balance =
-        friction ? contact::balance(contact, own.work + sign * little * added.work, little * rounding, limits)
-                 : contact::balance(rows, sign * added.work, rounding, all_limits);
+    const contact::Balance balance = friction ? contact::balance(contact, own.work + sign * little * added.work,
+                                                                 terms * (own.size + little * added.size), limits)
+                                              : contact::balance(rows, sign * added.work, rounding, all_limits);
     if (balance.possible) continue;
     (sign < 0 ? result.below : result.above) = true;
     const auto [body, motion] =

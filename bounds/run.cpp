@@ -110,12 +110,12 @@ template <int dim> bool is_one_problem(const scene::Scene<dim>& scene, const Mes
   return !has_coulomb(meshed.problem) && (meshed.changed || scene.curves.empty());
 }
 
-/// \param marked cells to refine; empty: all. The contact starts from what it was
+/// \param marked cells to refine; empty: all. The contact starts from what it was   \param one_problem as for `old`
 template <int dim>
 Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const scene::Problem<dim>& problem,
-                  std::vector<char> marked, const Examined<dim>& examined) {
+                  std::vector<char> marked, const Examined<dim>& examined, bool one_problem) {
   if (marked.empty()) marked.assign(problem.mesh.cells.size(), 1);
-  if (!is_one_problem(scene, old)) {
+  if (!one_problem) {
     scene::Mesh<dim> mesh = scene::finer_mesh(scene, problem, marked);
     mesh.notes = old.notes;
     Meshed<dim> meshed{.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree),
@@ -249,7 +249,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       std::vector<char> marked;
       if (bracketed && refine.strategy == scene::Strategy::adaptive)
         marked = mark(last, steering(outcome, refine, asked), refine.bulk);
-      Meshed<dim> next = finer(scene, meshed, last, std::move(marked), examined);
+      Meshed<dim> next = finer(scene, meshed, last, std::move(marked), examined, one_problem);
       next.seconds = refining.seconds();
       if (count_of_cells(next) > refine.max_cells) return finished(fmt::format("max_cells = {}", refine.max_cells));
       meshed = std::move(next);

@@ -22,12 +22,15 @@ std::string explanation(const Report& report) {
   if (report.outcome.guarantee == "none")
     return "No bound is printed; the plain values of this run are in report.json.\n";
   std::string text = fmt::format(
-      "The exact values lie in these intervals, for sure ({}).\n"
+      "The exact values lie in these intervals, for sure ({}).\n{}"
       "What the energy is good for: the error follows from it. At least minus the\n"
       "complementary energy of stresses in equilibrium, at most the potential energy\n"
       "of displacements that respect the contact: the root of twice the width bounds\n"
       "the error of either field in the energy norm.\n",
-      report.outcome.guarantee);
+      report.outcome.guarantee,
+      report.outcome.guarantee == "tresca-step" ? "Exact are those of friction up to the last step's bound; Coulomb's "
+                                                  "own law has\nno energy, and no bounds.\n"
+                                                : "");
   if (report.outcome.guarantee == "discretisation")
     text += "Some functions are known at points only; what they do between is not in it.\n";
   if (report.outcome.levels.size() > 1)

@@ -65,8 +65,7 @@ TEST(Laws, ABarThatIsPulledOffIsNamed) {
       FAIL();
     } catch (const scene::Error& error) {
       EXPECT_EQ(error.status(), scene::Status::ill_posed);
-      EXPECT_NE(std::string(error.what()).find("body 'bar' is pushed off: moving it by (0, 1)"),
-                std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("body 'bar' is pushed off: moving it by (0, 1)"), std::string::npos)
           << error.what();
     }
   }
