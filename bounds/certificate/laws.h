@@ -26,8 +26,8 @@ LawOn<Number> law_on(const scene::Problem<2>& problem, const FirstContacts& cont
   return result;
 }
 
-/// A polynomial s ≥ c of the same degree for which ∫ k s² is small: s = c where c ≥ 0 is certain, 0 where c ≤ 0. As s²
-/// ≥ (c)₊² (where s < 0, c < 0), ½ ∫ k s² bounds what springs of penetration c store. \param k at the ends
+/// A polynomial s ≥ c of the same degree for which ∫ k s² is small: c itself where c ≥ 0 is certain, 0 where c ≤ 0. As
+/// s² ≥ (c)₊² (where s < 0 there is c < 0), ½ ∫ k s² bounds what springs of penetration c store.   \param k at the ends
 template <class Number> std::vector<Number> spring_stretch(const std::array<Number, 2>& k, std::vector<Number> c) {
   if (std::ranges::all_of(c, [](const Number& one) { return certainly_non_negative(one); })) return c;
   std::vector<double> least;
@@ -71,7 +71,7 @@ template <class Number>
 Number law_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                   const scene::ContactFacet& pair) {
   Number sum(0);
-  if (!has_law(pair.law)) return sum;
+  if (!scene::has_springs(pair.law) && !scene::has_friction(pair.law)) return sum;
   const LawOn<Number> law = law_on<Number>(problem, supports.contacts, pair);
   if (scene::has_friction(pair.law))
     sum += law.length *

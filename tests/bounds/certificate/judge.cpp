@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "bounds/certificate/functional.h"
 #include "tests/bounds/certificate/judge_parts.h"
 
 namespace bracket::bounds {
@@ -9,8 +10,13 @@ namespace bracket::bounds {
 using scene::Support;
 
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field) {
+  return exact_displacement(problem, field, supports_of(problem));
+}
+
+ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field,
+                                     const Supports& supports) {
   const auto& mesh = problem.mesh;
-  const MovedField<Exact> all = moved<Exact>(problem, supports_of(problem), field);
+  const MovedField<Exact> all = moved<Exact>(problem, supports, field);
   const auto& indices = scene::bernstein_indices(field.degree);
   ExactDisplacement u;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
@@ -116,9 +122,18 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactDis
     if (!is_zero(dot(on, n) - Polynomial::linear({ends[0], ends[1]})))
       result.push_back(fmt::format("sliding facet {}", f));
   }
-  for (const auto& pair : problem.contact)
-    if (!(approach(problem, u, pair) - gap_of(pair.lower)).is_not_positive())
+  for (const auto& pair : problem.contact) {
+    if (scene::has_springs(pair.law)) continue;
+    const Polynomial r = approach(problem, u, pair);
+    if (!pair.law.two_sided && !(r - gap_of(pair.lower)).is_not_positive())
       result.push_back(fmt::format("into contact facet {}", pair.first));
+    if (pair.law.two_sided && !is_zero(r - gap(problem, pair)))
+      result.push_back(fmt::format("apart on contact facet {}", pair.first));
+    const Polynomial rounding = Polynomial::constant(2, Exact(1e-14 * problem.length_scale));
+    if (pair.law.two_sided && (!(r - gap_of(pair.upper) - rounding).is_not_positive() ||
+                               !(gap_of(pair.lower) - r - rounding).is_not_positive()))
+      result.push_back(fmt::format("not along the gap of contact facet {}", pair.first));
+  }
   return result;
 }
 
@@ -162,6 +177,10 @@ void check_cells(const scene::Problem<2>& problem, const ExactStress& stress, st
 std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStress& stress) {
   std::vector<std::string> result;
   check_cells(problem, stress, result);
+  std::vector<char> rubs(problem.facets.size(), 0);
+  for (const auto& pair : problem.contact)
+    for (const int side : {pair.first, pair.second})
+      if (side >= 0) rubs[side] = scene::has_friction(pair.law);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     const int facet = static_cast<int>(f);
@@ -169,12 +188,18 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
     if (data.support == Support::traction && !is_zero(load - traction_on(problem, stress.added, facet)))
       result.push_back(fmt::format("traction on facet {}", f));
     const Point n = vector2<Exact>(data.normal);
-    if ((data.support == Support::sliding || data.support == Support::contact) && !is_zero(dot(load, turned(n))))
+    if ((data.support == Support::sliding || (data.support == Support::contact && !rubs[f])) &&
+        !is_zero(dot(load, turned(n))))
       result.push_back(fmt::format("shear on facet {}", f));
   }
   for (const auto& pair : problem.contact) {
-    if (!(Exact(-1) * pressure(problem, stress, pair)).is_not_positive())
+    if (!pair.law.two_sided && !(Exact(-1) * pressure(problem, stress, pair)).is_not_positive())
       result.push_back(fmt::format("tension on facet {}", pair.first));
+    if (scene::has_friction(pair.law)) {
+      const Polynomial t = shear(problem, stress, pair), most = length_of(problem, pair) * linear_on(pair.law.friction);
+      if (!(t - most).is_not_positive() || !(Exact(-1) * t - most).is_not_positive())
+        result.push_back(fmt::format("shear beyond its bound on facet {}", pair.first));
+    }
     if (pair.second >= 0 &&
         !is_zero(load_on(problem.mesh, stress, pair.first) + reversed(load_on(problem.mesh, stress, pair.second))))
       result.push_back(fmt::format("pressures differ on facet {}", pair.first));
@@ -194,14 +219,35 @@ Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& di
   return result;
 }
 
-void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact) {
-  EXPECT_EQ(faults(problem, exact.displacement), std::vector<std::string>{});
-  EXPECT_EQ(faults(problem, exact.stress), std::vector<std::string>{});
+std::vector<std::string> faults(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact) {
+  std::vector<std::string> result = faults(problem, exact.displacement);
+  for (std::string& fault : faults(problem, exact.stress)) result.push_back(std::move(fault));
   const Exact l = potential_energy(problem, exact.displacement, exact.stress.added);
   const Exact s = complementary_energy(problem, exact.stress, exact.displacement);
-  EXPECT_LE(Exact(certificate.lower), -s);
-  EXPECT_GE(Exact(certificate.upper), l);
+  if (Exact(certificate.lower) > -s - law_complementary_energy(problem, exact.stress).lower)
+    result.emplace_back("the lower bound is above −S");
+  if (Exact(certificate.upper) < l + law_energy(problem, exact.displacement).lower)
+    result.emplace_back("the upper bound is below L");
+  return result;
+}
+
+void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact) {
+  EXPECT_EQ(faults(problem, certificate, exact), std::vector<std::string>{});
+  const Exact l = potential_energy(problem, exact.displacement, exact.stress.added);
+  const Exact s = complementary_energy(problem, exact.stress, exact.displacement);
   EXPECT_EQ(l + s, distance(problem, exact.stress, exact.displacement));
+  // What the certificate evaluates is this identity with ∫ φ and ∫ φ* from above.
+  const Supports supports = supports_of(problem);
+  const Exact phi = field_energy<Exact, RationalSum>(problem, supports, exact.field, exact.stress.added).total - l;
+  const Exact conjugate = stress_energy<Exact, RationalSum>(problem, exact.loads) - s;
+  const Exact kappa = contact_work<Exact, RationalSum>(problem, supports, exact.field, exact.loads);
+  EXPECT_EQ(kappa, phi + conjugate + contact_term(problem, exact.stress, exact.displacement));
+  EXPECT_GE(kappa, Exact(0));
+  EXPECT_GE(Exact(certificate.contact), kappa);
+  const Around of_displacement = law_energy(problem, exact.displacement);
+  const Around of_stress = law_complementary_energy(problem, exact.stress);
+  EXPECT_GE(phi, of_displacement.lower);
+  EXPECT_GE(conjugate, of_stress.lower);
 }
 
 }  // namespace bracket::bounds

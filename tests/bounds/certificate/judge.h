@@ -20,6 +20,8 @@ struct ExactDisplacement {
 };
 /// The field that the certificate's numbers stand for.
 ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field);
+ExactDisplacement exact_displacement(const scene::Problem<2>& problem, const PlainField& field,
+                                     const Supports& supports);
 
 struct ExactStress {
   /// On the part at the side i → i + 1 of each cell, in the part's barycentric coordinates: i, i + 1, centroid.
@@ -42,12 +44,20 @@ Exact potential_energy(const scene::Problem<2>& problem, const ExactDisplacement
 /// S. \param displacement in K: what it is on Γ_u and Γ_0 is what is prescribed there
 Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress,
                            const ExactDisplacement& displacement);
+/// Rational numbers around one that may be irrational.
+struct Around {
+  Exact lower, upper;
+};
+/// What the laws add to L: ∫ φ(r, v_t), from the definitions, by halves of facets.
+Around law_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
+/// What they add to S: ½ ∫ p²/k, by tangents and chords of 1/k.
+Around law_complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress);
 /// ½ A(u, u)
 Exact strain_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
 /// ½ ‖σ(u) − λ‖²_{C⁻¹} on each cell.
 std::vector<Exact> misfits(const scene::Problem<2>& problem, const ExactStress& stress,
                            const ExactDisplacement& displacement);
-/// ∫ p (g − r(u)) over Γ_K.
+/// ∫ (p (g − r(u)) − τ v_t(u)) over Γ_K.
 Exact contact_term(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& displacement);
 /// ½ ‖σ(u) − λ‖²_{C⁻¹} + ∫ p (g − r(u)): by the gap identity L + S, if both fields are admissible.
 Exact distance(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& displacement);
@@ -62,6 +72,9 @@ struct Judged {
 /// \pre its certificate is valid
 Judged judged(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
               const scene::Stress<2>& stress);
+
+/// What the certificate has wrong, one line each: of fields that are not admissible, energies that it does not contain.
+std::vector<std::string> faults(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact);
 
 /// Expects the fields to be admissible, the certificate to contain their energies, and the gap identity.
 void expect_holds_exactly(const scene::Problem<2>& problem, const Certificate& certificate, const Judged& exact);

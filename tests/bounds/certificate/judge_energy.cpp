@@ -124,7 +124,7 @@ Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& 
     const int facet = static_cast<int>(f);
     result -= dot(load_on(problem.mesh, stress, facet), displacement_on(problem.mesh, u, facet)).mean();
   }
-  for (const auto& pair : problem.contact) result += (pressure(problem, stress, pair) * gap(pair)).mean();
+  for (const auto& pair : problem.contact) result += (pressure(problem, stress, pair) * gap(problem, pair)).mean();
   return result;
 }
 
@@ -137,8 +137,10 @@ std::vector<Exact> misfits(const scene::Problem<2>& problem, const ExactStress& 
 
 Exact contact_term(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
   Exact result;
-  for (const auto& pair : problem.contact)
-    result += (pressure(problem, stress, pair) * (gap(pair) - approach(problem, u, pair))).mean();
+  for (const auto& pair : problem.contact) {
+    result += (pressure(problem, stress, pair) * (gap(problem, pair) - approach(problem, u, pair))).mean();
+    if (scene::has_friction(pair.law)) result -= (shear(problem, stress, pair) * slip(problem, u, pair)).mean();
+  }
   return result;
 }
 

@@ -105,8 +105,33 @@ inline Polynomial gap_of(const std::array<double, 3>& c) {
   return Polynomial::monomial(2, {2, 0, 0}, Exact(c[0])) + Polynomial::monomial(2, {1, 1, 0}, Exact(2) * Exact(c[1])) +
          Polynomial::monomial(2, {0, 2, 0}, Exact(c[2]));
 }
-/// The gap that the lower bound pays for.
-inline Polynomial gap(const scene::ContactFacet& pair) { return gap_of(pair.upper); }
+/// The gap that the lower bound pays for. That of two-sided facets is a function near its bounds, which the certificate
+/// is asked for.
+inline Polynomial gap(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  if (!pair.law.two_sided) return gap_of(pair.upper);
+  const auto c = kept_gap<Exact>(problem, first_contacts(problem), pair);
+  return Polynomial::monomial(2, {2, 0, 0}, c[0]) + Polynomial::monomial(2, {1, 1, 0}, Exact(2) * c[1]) +
+         Polynomial::monomial(2, {0, 2, 0}, c[2]);
+}
+
+/// (u' − u'')·t likewise, and τ, per unit of the parameter as p is.
+inline Polynomial slip(const scene::Problem<2>& problem, const ExactDisplacement& u, const scene::ContactFacet& pair) {
+  const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
+  const Polynomial v = dot(displacement_on(problem.mesh, u, pair.first), t);
+  return pair.second < 0 ? v : v - dot(displacement_on(problem.mesh, u, pair.second), t).reversed();
+}
+inline Polynomial shear(const scene::Problem<2>& problem, const ExactStress& stress, const scene::ContactFacet& pair) {
+  const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
+  return (Exact(-1) / dot(t, t)) * dot(load_on(problem.mesh, stress, pair.first), t);
+}
+inline Exact length_of(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  const auto& [a, b] = problem.mesh.boundary[pair.first].vertices;
+  const Point side = between<Exact>(problem.mesh.vertices[a], problem.mesh.vertices[b]);
+  return root(dot(side, side));
+}
+inline Polynomial linear_on(const std::array<double, 2>& ends) {
+  return Polynomial::linear({Exact(ends[0]), Exact(ends[1])});
+}
 
 inline Polynomial pressure(const scene::Problem<2>& problem, const ExactStress& stress,
                            const scene::ContactFacet& pair) {

@@ -100,6 +100,34 @@ class Polynomial {
     return sum * factorial(variables_ - 1) / factorial(degree_ + variables_ - 1);
   }
 
+  /// Whether some Bernstein coefficient is > 0.
+  bool has_positive() const {
+    return std::ranges::any_of(terms_, [](const auto& term) { return term.second > Exact(0); });
+  }
+  /// By the sizes of its coefficients: not less than the size of the polynomial.
+  Polynomial with_sizes() const {
+    Polynomial result = *this;
+    for (auto& term : result.terms_)
+      if (term.second < Exact(0)) term.second = -term.second;
+    return result;
+  }
+  /// One of the halves of a segment, in its own two coordinates.
+  Polynomial half_of_segment(int which) const {
+    const Exact half = Exact(1) / Exact(2);
+    Polynomial result(2);
+    // Coordinate k runs from its value at one end of the half to that at the other.
+    const std::array<Polynomial, 2> coordinates = {
+        linear({which == 0 ? Exact(1) : half, which == 0 ? half : Exact(0)}),
+        linear({which == 0 ? Exact(0) : half, which == 0 ? half : Exact(1)})};
+    for (const auto& [powers, factor] : terms_) {
+      Polynomial product = constant(2, factor);
+      for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < powers[k]; ++i) product = product * coordinates[k];
+      result = result + product;
+    }
+    return result;
+  }
+
   /// Whether all Bernstein coefficients are ≤ 0: then so is the polynomial.
   bool is_not_positive() const {
     return std::ranges::all_of(terms_, [](const auto& term) { return !(term.second > Exact(0)); });
