@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "bounds/bounds.h"
 #include "dual/dual.h"
@@ -161,7 +162,7 @@ TEST_P(Compared, contact_zones_overlap) {
     const double force =
         scene::length(outcome.problem.mesh, outcome.problem.contact[j].first) * (pressure[0] + pressure[1]) / 2;
     all += force;
-    const auto& [pair, first, second, lower, upper] = outcome.problem.contact[j];
+    const auto& [lower, upper] = std::tie(outcome.problem.contact[j].lower, outcome.problem.contact[j].upper);
     double open = 1e-8 * largest;  // and what is not known of the gap
     for (int i = 0; i < 3; ++i) open = std::max(open, 1e-8 * largest + upper[i] - lower[i]);
     if (std::max({gap[0], gap[1], gap[2]}) < open) closed += force;
