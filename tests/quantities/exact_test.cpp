@@ -91,13 +91,14 @@ TEST(ExactQuantities, linear_pressure) {
 }
 
 // docs/theory.md §9.1: p = E Δ on unit height (ν = 0), strain energy ½ p Δ. The energy follows from no loads.
+// The mean stress' width is rounding by s, and s a power of two: from processor to processor it is up to twice as wide.
 TEST(ExactQuantities, patch) {
   expect_inside(patch(1e6, 0, 0.01, 2),
                 {{quantity(QuantityKind::force, "upper.bottom"), 1e4, 1e-6},
                  {along(quantity(QuantityKind::reaction, "upper.top"), 0, 1), -1e4, 1e-6},
                  {quantity(QuantityKind::reaction, "lower.bottom"), -1e4, 1e-6},
                  {along(quantity(QuantityKind::body, "upper"), 0, 1), -0.0075, 1e-12},
-                 {component(quantity(QuantityKind::stress, "lower"), scene::StressComponent::yy), -1e4, 1e-6},
+                 {component(quantity(QuantityKind::stress, "lower"), scene::StressComponent::yy), -1e4, 4e-6},
                  {quantity(QuantityKind::energy, ""), 50, 1e-8}},
                 three_uniform, 3);
 }
