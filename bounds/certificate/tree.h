@@ -13,7 +13,7 @@ struct Branch {
   int parent;  ///< −1: the root
   int side;    ///< i → i + 1, at which it touches its parent
 };
-/// All cells, each after its parent.
+/// All cells, each after its parent: the shortest paths to a large cell in the middle, through large cells.
 std::vector<Branch> trees(const scene::Mesh<2>& mesh, const std::vector<Reference>& references);
 
 /// Balances every cell of bodies that are held: each cell, from the leaves of its body's tree on, hands what it lacks

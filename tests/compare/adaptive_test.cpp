@@ -128,5 +128,17 @@ TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it
   }
 }
 
+// The re-entrant corner is the middle of the body, where cells become the smallest: balance is not handed on through
+// them. Each edge there has 2⁻¹⁵ of the largest's length; what is left is rounding of stresses.
+TEST(Adaptive, a_corner_costs_the_certificate_nothing_but_rounding) {
+  scene::Scene<2> s = from_file("l_shape");
+  s.solve.degree = 3;
+  s.refine = {.strategy = scene::Strategy::adaptive, .bulk = 0.8, .max_levels = 20, .max_cells = 10000};
+  s.quantities.clear();
+  const auto outcome = bounds::run(s);
+  for (const auto& level : outcome.levels)
+    EXPECT_LE(level.plain.lower - level.certificate.lower, 1e-11 * std::abs(level.plain.lower)) << level.cells;
+}
+
 }  // namespace
 }  // namespace bracket::tests
