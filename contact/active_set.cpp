@@ -168,9 +168,16 @@ std::optional<Pressure> block_active_set(const Interface& problem, const std::ve
     if (!closed) return {};
     const VectorXd left = slack(problem, closed->pressure, closed->motion);
     const VectorXd rounding = slack_rounding(problem, *closed);
-    std::vector<Place> changed = places;
-    for (Index i = 0; i < m; ++i)
-      changed[i] = next(limits, i, places[i], closed->pressure[i], std::abs(left[i]) > rounding[i] ? left[i] : 0.0);
+    const auto changed_places = [&](bool at_rest_only) {
+      std::vector<Place> result = places;
+      for (Index i = 0; i < m; ++i)
+        if (!at_rest_only || places[i] == Place::rest)
+          result[i] = next(limits, i, places[i], closed->pressure[i], std::abs(left[i]) > rounding[i] ? left[i] : 0.0);
+      return result;
+    };
+    // The first step tells at which limit the rows are; what else is wrong may be so because they are not there yet.
+    std::vector<Place> changed = changed_places(iteration == 1);
+    if (changed == places) changed = changed_places(false);
     if (changed == places) return Pressure{Termination::solved, closed->pressure, closed->motion, active, iteration};
     places = std::move(changed);
   }

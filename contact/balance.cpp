@@ -104,6 +104,9 @@ Balance balance(const Eigen::MatrixXd& rows, const VectorXd& load, double explai
   }
 
   if (residual.norm() <= explained) return {true, pressure, {}};
+  // Once more, so that it is orthogonal to the rows of the support but for its own rounding, not that of the load.
+  if (const auto of_support = least_squares(rows, residual, VectorXd::Zero(rows.rows()), support))
+    residual -= rows.transpose() * *of_support;
   return {false, {}, residual};
 }
 

@@ -90,7 +90,9 @@ bool expect_decided(const MatrixXd& rows, const VectorXd& load, const Limits& li
     for (Index i = 0; i < p.size(); ++i)
       if (p[i] != 0 && p[i] > limits.lower[i] && p[i] < limits.upper[i]) between.push_back(i);
     const MatrixXd chosen = rows(between, Eigen::all);
-    if (!between.empty()) EXPECT_EQ(chosen.fullPivLu().rank(), static_cast<Index>(between.size()));
+    if (!between.empty()) {
+      EXPECT_EQ(chosen.fullPivLu().rank(), static_cast<Index>(between.size()));
+    }
     return true;
   }
   const VectorXd work = rows * found.motion;

@@ -129,8 +129,9 @@ TEST(Limits, LoadsAtTheLimit) {
     for (Index i = 0; i < m; ++i) {
       const double limit = problem.motion.row(i).dot(motion) > 0 ? problem.limits.upper[i] : problem.limits.lower[i];
       p[i] = std::isfinite(limit) ? limit : at_rest(problem.limits)[i];
-      if (!std::isfinite(limit))
-        problem.motion.row(i) -= problem.motion.row(i).dot(motion) * motion.transpose() / motion.squaredNorm();
+      if (std::isfinite(limit)) continue;
+      problem.motion.row(i) -= problem.motion.row(i).dot(motion) * motion.transpose() / motion.squaredNorm();
+      if (k == 1) problem.motion.row(i).setZero();  // no rounding: it would be a row that resists
     }
     problem.load = problem.motion.transpose() * p;
     Scaled to = scaled(problem);
@@ -145,7 +146,7 @@ TEST(Limits, WideOnesAreNoneNarrowOnesTakeTheRowOut) {
     const Index m = 12, k = 2;
     Interface problem = mixed_interface(m, m + 6, k, 1, random);
     problem.limits = complete({}, m);
-    problem.load = problem.motion.transpose() * random_vector(m, random).cwiseAbs();
+    problem.load = problem.motion.topRows(m - 4).transpose() * random_vector(m - 4, random).cwiseAbs();
     const std::vector<char> all(static_cast<std::size_t>(m), 1);
     const auto solved = [&](double b) {
       for (Index i = m - 4; i < m; ++i) {
@@ -168,15 +169,19 @@ TEST(Limits, WideOnesAreNoneNarrowOnesTakeTheRowOut) {
   }
 }
 
-// Friction on a line, in part at its bound: the blocks settle as quickly as without.
+// Friction on the boundary of a half-plane, in part at its bound: the blocks settle as quickly as without.
 TEST(Limits, BlocksSettleInFewStepsOnASmoothProblem) {
   const Index m = 200;
-  MatrixXd laplacian = MatrixXd::Zero(m, m);
+  MatrixXd laplacian = MatrixXd::Zero(m, m);  // along the boundary; that of the half-plane leaves √(λ + λ²/4) on it
   for (Index i = 0; i < m; ++i) {
     laplacian(i, i) = 2;
     if (i > 0) laplacian(i, i - 1) = laplacian(i - 1, i) = -1;
   }
-  const MatrixXd compliance = laplacian.inverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> waves_of(laplacian);
+  const Eigen::ArrayXd values = waves_of.eigenvalues();
+  const MatrixXd compliance = waves_of.eigenvectors() *
+                              (values + 0.25 * values.square()).rsqrt().matrix().asDiagonal() *
+                              waves_of.eigenvectors().transpose();
   for (double waves : {1.0, 3.0, 10.0})
     for (double bound : {0.0, 0.1, 0.5, 0.9, 2.0}) {
       const VectorXd place = VectorXd::LinSpaced(m, 0, waves * 2 * 3.14159265358979324);
@@ -189,13 +194,20 @@ TEST(Limits, BlocksSettleInFewStepsOnASmoothProblem) {
       for (char sticks : {0, 1}) {
         const auto found = block_active_set(problem, std::vector<char>(static_cast<std::size_t>(m), sticks));
         ASSERT_TRUE(found) << waves << ' ' << bound;
-        EXPECT_LE(found->iterations, 20) << waves << ' ' << bound;
+        EXPECT_LE(found->iterations, 10) << waves << ' ' << bound;
         expect_minimum(problem, *found);
-        std::vector<char> again(static_cast<std::size_t>(m), 0);
-        for (Index i : found->active) again[static_cast<std::size_t>(i)] = 1;
-        EXPECT_LE(block_active_set(problem, again)->iterations, 2);  // the first tells to which limits the others go
       }
     }
+}
+
+// Two rows that are the same, each between its limits: one of them holds nothing.
+TEST(Limits, DependentRowsAtTheStartAreRefused) {
+  const MatrixXd ones = MatrixXd::Ones(2, 2);
+  const VectorXd none = VectorXd::Zero(2);
+  const Limits limits{VectorXd::Constant(2, -1), VectorXd::Constant(2, 1)};
+  const Interface problem = scaled({ones, none, none, VectorXd::Ones(2), VectorXd::Ones(1), limits}).problem;
+  EXPECT_THROW(primal_active_set(problem, VectorXd::Constant(2, 0.5)), HeldByRounding);
+  EXPECT_EQ(primal_active_set(problem, Eigen::Vector2d(1, 0.41421356237309505)).termination, Termination::solved);
 }
 
 TEST(Limits, TheirFactorsKeepThemExactly) {

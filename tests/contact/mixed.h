@@ -101,10 +101,18 @@ inline void expect_minimum(const Interface& problem, const Pressure& found) {
   for (Index i = 0; i < p.size(); ++i) {
     EXPECT_GE(p[i], lower[i]);
     EXPECT_LE(p[i], upper[i]);
-    if (p[i] > lower[i]) EXPECT_LE(y[i], rounding) << i;
-    if (p[i] < upper[i]) EXPECT_GE(y[i], -rounding) << i;
-    if (active[static_cast<std::size_t>(i)]) EXPECT_LE(std::abs(y[i]), rounding) << i;
-    if (!active[static_cast<std::size_t>(i)]) EXPECT_TRUE(p[i] == lower[i] || p[i] == upper[i] || p[i] == 0) << i;
+    if (p[i] > lower[i]) {
+      EXPECT_LE(y[i], rounding) << i;
+    }
+    if (p[i] < upper[i]) {
+      EXPECT_GE(y[i], -rounding) << i;
+    }
+    if (active[static_cast<std::size_t>(i)]) {
+      EXPECT_LE(std::abs(y[i]), rounding) << i;
+    }
+    if (!active[static_cast<std::size_t>(i)]) {
+      EXPECT_TRUE(p[i] == lower[i] || p[i] == upper[i] || p[i] == 0) << i;
+    }
   }
 }
 

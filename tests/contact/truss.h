@@ -148,8 +148,10 @@ inline Kkt kkt(const std::vector<Loaded>& bodies, const VectorXd& gap, const Sol
   if (limits.lower.size() > 0) {
     const auto p = solution.pressure.array();
     result.within = (p >= limits.lower.array() && p <= limits.upper.array()).all();
-    for (Index i = 0; i < gap.size() && size_of_approach > 0; ++i) {
-      const double slack = (gap[i] - approach[i]) / size_of_approach;
+    double moved = size_of_approach;  // rows that stick do not move, but what they hold does
+    for (const VectorXd& displacement : solution.displacement) moved = std::max(moved, largest(displacement));
+    for (Index i = 0; i < gap.size() && moved > 0; ++i) {
+      const double slack = (gap[i] - approach[i]) / moved;
       if (p[i] > limits.lower[i]) result.penetration = std::max(result.penetration, slack);
       if (p[i] < limits.upper[i]) result.penetration = std::max(result.penetration, -slack);
     }
