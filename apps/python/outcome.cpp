@@ -209,9 +209,10 @@ void add_outcome(py::module_& module) {
       .def_property_readonly(
           "status", [](const Result& self) { return apps::name(self.outcome.status); },
           "\"done\", \"budget_spent\" (the bounds hold), \"not_guaranteed\" or \"ill_posed\".")
-      .def_property_readonly("guarantee", of(&Outcome::guarantee),
-                             "\"rounding-safe\"; \"discretisation\": as that, for data known but where callables were\n"
-                             "sampled; \"none\".")
+      .def_property_readonly(
+          "guarantee", of(&Outcome::guarantee),
+          "\"rounding-safe\"; \"discretisation\": as that, for data known but where callables were\n"
+          "sampled; \"tresca-step\": for the friction bound of the last of Coulomb's steps; \"none\".")
       .def_property_readonly("reason", of(&Outcome::reason), "Of another status than done: one line.")
       .def_property_readonly("lower", of(&Outcome::lower),
                              "Guaranteed bound of the energy, force * length by thickness.")

@@ -145,6 +145,37 @@ class Numbers(unittest.TestCase):
         with self.assertRaises(bracket.Error):
             bracket.run(apart)
 
+    def test_of_bars_with_contact_laws(self):
+        def bar(pull, **law):
+            scene = scenes.with_blocks(bracket.Scene(), cells=2)
+            scene.add_body("lower", E=1.0, nu=0.0)
+            scene.add_body("upper", E=2.0, nu=0.0)
+            scene.set_sliding("lower.bottom", 0)
+            scene.set_sliding("lower.left", 0)
+            scene.set_sliding("upper.left", 0)
+            scene.set_traction("upper.top", 0, pull)
+            scene.add_contact("upper.bottom", "lower.top", **law)
+            return bracket.run(scene)
+
+        # Compliances: 1 and ½ of the bars, 1/k = 4 of the springs.
+        for outcome, energy in (
+            (bar(0.5, law="bilateral"), -0.1875),
+            (bar(-0.5, law="winkler", value=0.25), -0.6875),
+            (bar(0.5, law="winkler", value=0.25, lifts_off=False), -0.6875),
+            (bar(-0.5, law="tresca", value=1), -0.1875),
+            (bar(-0.5, law="coulomb", value=0.3), -0.1875),
+        ):
+            self.assertLessEqual(outcome.lower, energy)
+            self.assertGreaterEqual(outcome.upper, energy)
+            self.assertLess(outcome.upper - outcome.lower, 1e-10)
+        self.assertEqual(bar(-0.5, law="coulomb", value=0.3).guarantee, "tresca-step")
+        with self.assertRaises(bracket.Error):
+            bar(0.5, law="winkler", value=0.25)
+        with self.assertRaises(bracket.Error):
+            bar(0.5, law="bilateral", value=1)
+        with self.assertRaises(ValueError):
+            bar(0.5, law="velcro")
+
     def test_of_callables_are_told_to_be_sampled(self):
         sampled = scenes.with_blocks(scenes.two_blocks(traction=lambda x, y: -0.1 if x < 0.5 else 0.09))
         sampled.set_refine(max_levels=2)
