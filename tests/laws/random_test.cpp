@@ -5,6 +5,7 @@
 
 #include "tests/support/interval_faults.h"
 #include "tests/support/random_laws.h"
+#include "tests/support/random_quantities.h"
 
 namespace bracket::tests {
 namespace {
@@ -23,6 +24,18 @@ TEST_P(RandomLaws, HaveIntervalsThatMeetOrAreRefused) {
       ADD_FAILURE() << "seed " << seed << "\n" << fault << "\n" << random.text;
   }
   EXPECT_GE(endings[scene::Status::done], scenes / 4);
+}
+
+TEST_P(RandomLaws, HaveQuantitiesThatMeetOrAreRefused) {
+  constexpr int scenes = 8;
+  int both_ends = 0;
+  for (std::uint64_t seed = scenes * GetParam() + 1; seed <= scenes * (GetParam() + 1u); ++seed) {
+    const QuantitiesVerdict verdict = judge_random_quantities(seed, true);
+    both_ends += verdict.both_ends;
+    for (const std::string& fault : verdict.faults)
+      ADD_FAILURE() << "seed " << seed << "\n" << fault << "\n" << verdict.text;
+  }
+  EXPECT_GE(both_ends, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(RandomScenes, RandomLaws, testing::Range(0, 4));

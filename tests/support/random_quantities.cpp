@@ -7,7 +7,7 @@
 
 #include "bounds/bounds.h"
 #include "tests/support/random_grid.h"
-#include "tests/support/random_scenes.h"
+#include "tests/support/random_laws.h"
 
 namespace bracket::tests {
 namespace {
@@ -66,8 +66,8 @@ void judge_end(const bounds::Outcome<2>& outcome, int degree, QuantitiesVerdict&
 
 }  // namespace
 
-QuantitiesVerdict judge_random_quantities(std::uint64_t seed) {
-  const RandomScene of = random_scene(seed);
+QuantitiesVerdict judge_random_quantities(std::uint64_t seed, bool laws) {
+  const RandomScene of = laws ? random_laws(seed) : random_scene(seed);
   Random random(seed ^ 0x5bd1e995);
   QuantitiesVerdict verdict;
   verdict.text = of.text;
