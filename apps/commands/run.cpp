@@ -1,8 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <new>
 #include <utility>
@@ -13,8 +15,11 @@
 #include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
 #include "apps/report/lines.h"
+#include "apps/report/sha256.h"
+#include "apps/report/sheet.h"
 #include "apps/report/vtk.h"
 #include "contact/clock.h"
+#include "scene/text.h"
 
 namespace bracket::apps {
 namespace {
@@ -26,6 +31,7 @@ struct Results {
   std::filesystem::path folder;
   Clock clock;      // of the command
   double read = 0;  // seconds
+  Given given = {};
   std::vector<LevelSeconds> around = {};
   std::vector<std::string> missing = {};  ///< what could not be written of levels after the first, and why
 };
@@ -93,8 +99,24 @@ bounds::Outcome<2> solve(Results& results) {
   }));
 }
 
-/// Draws the pictures and writes them and report.html; tells the report what is missing.
-void write_pictures(const Results& results, Report& report, bool png) {
+std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+/// A file that has been read; its digest only if it can be read again.
+FileRead file_read(const std::filesystem::path& file) {
+  std::error_code error;
+  const bool is_file = std::filesystem::is_regular_file(file, error);
+  return {file.string(), is_file ? sha256(scene::read_text(file)) : ""};
+}
+
+/// \pre the scene has just been read
+Given given(const RunOptions& options, const scene::Scene<2>& scene) {
+  Given result{.files = {file_read(options.scene)}, .overrides = options.overrides, .ended = ""};
+  if (!scene.mesh_file.empty()) result.files.push_back(file_read(scene.mesh_file));
+  return result;
+}
+
+/// Draws the pictures and writes them, report.html and the sheet; tells the report what is missing.
+void write_pictures(Results& results, Report& report, bool png) {
   const Clock clock;
   Drawings drawings;
   if (report.outcome.guarantee != "none") drawings = draw(pictures(report), png);
@@ -105,6 +127,9 @@ void write_pictures(const Results& results, Report& report, bool png) {
   report.missing.insert(report.missing.end(), drawings.missing.begin(), drawings.missing.end());
   report.pictures = clock.seconds();
   write_file(results.folder, "report.html", report_html(report, drawings.drawn));
+  results.given.ended = now();
+  write_file(results.folder, "sheet.html", sheet_html(report, results.given));
+  write_file(results.folder, "sheet.json", sheet_json(report, results.given));
 }
 
 /// Writes what the run has found, over what says that it is going on.
@@ -142,8 +167,8 @@ void try_last_fields(const Results& results, Report& report) {
   }
 }
 
-/// Pictures and report.html; where they cannot be, the report tells why.
-void try_pictures(const Results& results, Report& report, bool png) {
+/// Pictures, report.html and the sheet; where they cannot be, the report tells why.
+void try_pictures(Results& results, Report& report, bool png) {
   try {
     write_pictures(results, report, png);
   } catch (const scene::Error& error) {
@@ -181,7 +206,8 @@ Ending run(const RunOptions& options) {
                   .options = options,
                   .folder = results_folder(options.folder, options.scene, ".out"),
                   .clock = clock,
-                  .read = clock.seconds()};
+                  .read = clock.seconds(),
+                  .given = given(options, scene)};
   // Before the work, so that a folder that cannot be used is known at once.
   const Descriptor in_use = prepare_folder(results.folder);
 

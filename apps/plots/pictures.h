@@ -34,15 +34,6 @@ Picture contact_picture(const Report& report, int pair);
 /// seen. Three hundredths of the pressed length may reach beyond.
 double drawn_pressure(const Report& report, int pair);
 
-/// A point of a curve on logarithmic axes.
-struct Sample {
-  double cells;
-  double error;
-};
-/// The observed order: the slope of log error by log cells, least squares over the last half of the samples (at least
-/// two). NaN where they do not say, as of fewer than three.
-double observed_order(const std::vector<Sample>& samples);
-
 /// Colours that every picture uses: dark blue for stresses and lower bounds, orange for displacements and upper bounds.
 inline constexpr const char* stress_colour = "#1f5a94";
 inline constexpr const char* displacement_colour = "#d95f0e";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/plots/pictures.h"
+#include "apps/report/order.h"
 #include "apps/report/stresses.h"
 #include "apps/report/units.h"
 
@@ -36,18 +37,6 @@ std::string error_panel(const char* label, const std::vector<double>& x, const s
 }
 
 }  // namespace
-
-double observed_order(const std::vector<Sample>& samples) {
-  if (samples.size() < 3) return NAN;  // through two points goes any line
-  const std::size_t first =
-      samples.size() - std::min(samples.size(), std::max<std::size_t>(2, (samples.size() + 1) / 2));
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-  for (std::size_t i = first; i < samples.size(); ++i) {
-    const double a = std::log(samples[i].cells), b = std::log(samples[i].error);
-    n += 1, x += a, y += b, xx += a * a, xy += a * b;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
-}
 
 std::string plot_style() {
   return "set border lw 0.8 lc rgb '#666666'\nset grid lw 0.6 lt 1 lc rgb '#dddddd'\nset tics textcolor rgb '#222222'\n"
@@ -172,7 +161,6 @@ std::vector<Picture> quantity_pictures(const Report& report) {
 
 Picture error_picture(const Report& report) {
   std::vector<double> cells, seconds, errors;
-  std::vector<Sample> samples;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
     const double error = level.bracket.relative_error_bound;
@@ -180,9 +168,8 @@ Picture error_picture(const Report& report) {
     cells.push_back(level.cells);
     seconds.push_back(report.around[i].elapsed);
     errors.push_back(error);
-    samples.push_back({cells.back(), error});
   }
-  const double order = observed_order(samples);
+  const double order = observed_order(samples_of(report.outcome.levels));
   std::string caption =
       "The guaranteed relative error of both fields in the energy norm, against cells and against the seconds since "
       "the start.";

@@ -49,6 +49,11 @@ std::vector<Finding> findings(const Report& report);
 /// What a finding is, in words: "largest pressure".
 std::string what(const Finding& finding);
 
+/// Of which contact, support or bodies it is.
+std::string of_what(const Finding& finding);
+/// Its bounds or else what was computed, its place and note. \param length the unit of places, with a blank in front
+std::string value_with_place(const Finding& finding, const std::string& length);
+
 /// Lines for a terminal, by contact, support and bodies.
 std::string findings_text(const Report& report);
 /// A heading and a table; each cell escaped.

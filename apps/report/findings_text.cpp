@@ -14,25 +14,7 @@
 namespace bracket::apps {
 namespace {
 
-std::string of_what(const Finding& finding) {
-  switch (finding.subject) {
-    case Subject::contact: return "contact " + finding.of;
-    case Subject::support: return "support " + finding.of;
-    case Subject::bodies: return "all bodies";
-  }
-  return {};
-}
-
 std::string number(double value) { return std::isfinite(value) ? fmt::to_string(value) : ""; }
-
-std::string value_with_place(const Finding& finding, const std::string& length) {
-  const std::string value =
-      finding.bounds ? interval_text(finding.bounds->lower, finding.bounds->upper, finding.unit)
-                     : fmt::format("{:.4g}{}", std::abs(finding.computed) <= finding.rounding ? 0 : finding.computed,
-                                   finding.unit);
-  const std::string place = finding.at ? " at " + scene::point(*finding.at) + length : "";
-  return value + place + (finding.note.empty() ? "" : ", " + finding.note);
-}
 
 }  // namespace
 
@@ -44,6 +26,24 @@ std::string what(const Finding& finding) {
   std::string words = finding.key;
   std::ranges::replace(words, '_', ' ');
   return words;
+}
+
+std::string of_what(const Finding& finding) {
+  switch (finding.subject) {
+    case Subject::contact: return "contact " + finding.of;
+    case Subject::support: return "support " + finding.of;
+    case Subject::bodies: return "all bodies";
+  }
+  return {};
+}
+
+std::string value_with_place(const Finding& finding, const std::string& length) {
+  const std::string value =
+      finding.bounds ? interval_text(finding.bounds->lower, finding.bounds->upper, finding.unit)
+                     : fmt::format("{:.4g}{}", std::abs(finding.computed) <= finding.rounding ? 0 : finding.computed,
+                                   finding.unit);
+  const std::string place = finding.at ? " at " + scene::point(*finding.at) + length : "";
+  return value + place + (finding.note.empty() ? "" : ", " + finding.note);
 }
 
 std::string findings_text(const Report& report) {
@@ -84,7 +84,7 @@ std::string findings_html(const Report& report) {
   }
   return "<h2>Contacts, supports, bodies</h2>\n" +
          html_table({"of", "what", "value", "standing"}, rows, 4,
-                    "● lies in the interval for sure; ○ is a number of the computed fields");
+                    "● lies in the interval for sure; ○ is a number of the computed fields", "findings");
 }
 
 }  // namespace bracket::apps

@@ -21,18 +21,21 @@ std::string escaped(const std::string& text) {
 }
 
 std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
-                       int n_names, const std::string& caption) {
-  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table>\n";
+                       int n_names, const std::string& caption, const std::string& kind) {
+  std::string html = fmt::format("<div class=\"scroll{}\" tabindex=\"0\"><table>\n", kind.empty() ? kind : " " + kind);
   if (!caption.empty()) html += "<caption>" + caption + "</caption>\n";
   html += "<thead><tr>";
-  const auto kind = [n_names](std::size_t i) { return static_cast<int>(i) < n_names ? " class=\"name\"" : ""; };
-  for (std::size_t i = 0; i < head.size(); ++i) html += fmt::format("<th scope=\"col\"{}>{}</th>", kind(i), head[i]);
+  const auto name_or_number = [n_names](std::size_t i) {
+    return static_cast<int>(i) < n_names ? " class=\"name\"" : "";
+  };
+  for (std::size_t i = 0; i < head.size(); ++i)
+    html += fmt::format("<th scope=\"col\"{}>{}</th>", name_or_number(i), head[i]);
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& cells : rows) {
     html += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      html += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", kind(i), cells[i])
-                     : fmt::format("<td{}>{}</td>", kind(i), cells[i]);
+      html += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", name_or_number(i), cells[i])
+                     : fmt::format("<td{}>{}</td>", name_or_number(i), cells[i]);
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
@@ -71,6 +74,7 @@ p { max-width: 46rem; }
 .scope ul { margin: .3rem 0; padding-left: 1.1rem; }
 .scope li { margin: .35rem 0; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr)); gap: 1.2rem; }
+.pictures.first { margin-bottom: 1.6rem; }
 figure { margin: 0; background: var(--paper); border: 1px solid var(--line); border-radius: 6px; padding: .8rem; }
 figure.wide { grid-column: 1 / -1; }
 figure svg { display: block; width: 100%; height: auto; max-height: 44rem; margin: 0 auto; }
@@ -96,6 +100,15 @@ footer { color: var(--soft); font-size: .88rem; margin-top: 3rem; }
   figure { margin: 0 -.7rem; padding: .3rem 0; }
   figure svg { max-height: none; }
   figcaption { padding: 0 .7rem; }
+  .findings thead { position: absolute; clip-path: inset(50%); }
+  .findings table, .findings tbody, .findings caption { display: block; }
+  .findings tr { display: grid; grid-template-columns: 1fr auto; padding: .3rem .8rem;
+    border-bottom: 1px solid var(--line); }
+  .findings tr:last-child { border-bottom: 0; }
+  .findings th, .findings td.name { border: 0; padding: 0; min-width: 0; white-space: normal; }
+  .findings th { grid-column: 1 / -1; font-weight: 600; }
+  .findings td:nth-child(2) { color: var(--soft); }
+  .findings td:nth-child(3) { grid-row: 3; grid-column: 1 / -1; }
 }
 @page { size: A4; margin: 15mm; }
 @media print {
@@ -105,9 +118,15 @@ footer { color: var(--soft); font-size: .88rem; margin-top: 3rem; }
   table { font-size: 8pt; }
   th, td { padding: .25rem .4rem; }
   td.name, th.name { white-space: normal; overflow-wrap: break-word; min-width: 0; }
+  .findings td:last-child { white-space: nowrap; }
+  .findings tbody tr:nth-child(-n+4) { break-before: avoid; }
   h2, h3 { break-after: avoid; }
   .answer, .scroll, tr, li, figure { break-inside: avoid; }
+  .scroll.findings { break-inside: auto; }
+  .findings caption { caption-side: bottom; }
   .pictures { display: block; }
+  .pictures.first { display: grid; grid-template-columns: repeat(auto-fit, minmax(80mm, 1fr)); gap: 4mm;
+    margin-bottom: 0; }
   figure { margin-bottom: 5mm; }
   figure svg, figure.wide svg { max-height: 86mm; width: auto; max-width: 100%; }
   figcaption { font-size: 8.5pt; }

@@ -13,9 +13,9 @@ namespace bracket::apps {
 std::string escaped(const std::string& text);
 
 /// A table; cells and caption are HTML. The first column names the rows. The first `n_names` columns are set left, the
-/// others right, as numbers.
+/// others right, as numbers. \param kind a class of the style sheet
 std::string html_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
-                       int n_names, const std::string& caption = "");
+                       int n_names, const std::string& caption = "", const std::string& kind = "");
 
 /// The scene as it was understood, all defaults filled in: bodies, boundary, contact, refinement, solution.
 std::string html_scene(const Report& report);

@@ -13,6 +13,7 @@
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
 #include "apps/report/shares.h"
+#include "apps/report/units.h"
 
 namespace bracket::apps {
 namespace {
@@ -39,13 +40,14 @@ std::string answer(const Report& report) {
     return "<section class=\"answer none\"><p><b>No guaranteed bounds:</b> " + escaped(outcome.reason) +
            ". The plain values of this run are in report.json.</p></section>\n";
   const Decimals energy = enclosed_in_decimals(outcome.lower, outcome.upper);
+  const std::string unit = escaped(units_of(report.scene.units).energy);
   return fmt::format(
       "<section class=\"answer\">\n<dl class=\"bounds\"><dt>guaranteed relative error</dt><dd><b>{}</b></dd>"
-      "<dt>energy at least</dt><dd>{}</dd><dt>energy at most</dt><dd>{}</dd></dl>\n"
+      "<dt>energy at least</dt><dd>{}{}</dd><dt>energy at most</dt><dd>{}{}</dd></dl>\n"
       "<div class=\"facts\"><div>of both fields, in the energy norm</div><div>relative width of the energy <b>{}</b>"
       "</div><div>{} cells after {} level{}</div><div>{}</div></div>\n</section>\n",
-      percent(outcome.relative_error_bound), bound(energy.lower, energy.upper), bound(energy.upper, energy.lower),
-      rounded_up_exponent(relative_width(outcome)), outcome.levels.back().cells, outcome.levels.size(),
+      percent(outcome.relative_error_bound), bound(energy.lower, energy.upper), unit, bound(energy.upper, energy.lower),
+      unit, rounded_up_exponent(relative_width(outcome)), outcome.levels.back().cells, outcome.levels.size(),
       outcome.levels.size() == 1 ? "" : "s", ending(report));
 }
 
@@ -124,18 +126,23 @@ std::string inlined(const Drawing& drawing) {
   return kind + svg + "<figcaption>" + escaped(drawing.caption) + "</figcaption></figure>\n";
 }
 
-std::string figures(std::span<const Drawing> drawings) {
+std::string figures(std::span<const Drawing> drawings, const char* kind = "pictures") {
   std::string html;
   for (const Drawing& drawing : drawings) html += inlined(drawing);
-  return html.empty() ? "" : "<div class=\"pictures\">\n" + html + "</div>\n";
+  return html.empty() ? "" : fmt::format("<div class=\"{}\">\n{}</div>\n", kind, html);
 }
 
-/// The answer in two pictures, what it says, and the other pictures.
-std::string pictures(const Report& report, std::span<const Drawing> drawings) {
-  const std::size_t first = std::min<std::size_t>(2, drawings.size());
-  std::string html = figures(drawings.first(first)) + scope(report);
-  if (drawings.size() > first)
-    html += "<h2>How the bounds close, and where the error is</h2>\n" + figures(drawings.subspan(first));
+constexpr std::size_t first_pictures = 2;
+
+/// The answer in pictures.
+std::string answer_pictures(std::span<const Drawing> drawings) {
+  return figures(drawings.first(std::min(first_pictures, drawings.size())), "pictures first");
+}
+
+std::string other_pictures(const Report& report, std::span<const Drawing> drawings) {
+  std::string html;
+  if (drawings.size() > first_pictures)
+    html = "<h2>How the bounds close, and where the error is</h2>\n" + figures(drawings.subspan(first_pictures));
   if (error_is_rounding(report.outcome)) html += "<p>The error is rounding: there is no picture of where it is.</p>\n";
   for (const std::string& line : report.missing) html += "<p>Missing: " + escaped(line) + ".</p>\n";
   return html;
@@ -218,8 +225,9 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
       report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
   if (guaranteed) html += quantities(report);
   html += answer(report);
+  if (guaranteed) html += answer_pictures(drawings);
   html += findings_html(report);
-  if (guaranteed) html += pictures(report, drawings) + levels(report);
+  if (guaranteed) html += scope(report) + other_pictures(report, drawings) + levels(report);
   html += seconds(report) + checks(outcome.levels.back().checks);
   html += "<h2>The scene as it was understood</h2>\n" + html_scene(report);
   html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);

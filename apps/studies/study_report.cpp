@@ -10,6 +10,7 @@
 #include "apps/report/json.h"
 #include "apps/report/lines.h"
 #include "apps/report/numbers.h"
+#include "apps/report/order.h"
 #include "apps/report/quantities.h"
 #include "apps/studies/study.h"
 
@@ -20,12 +21,7 @@ bool drawable(const bounds::Level& level) {
   return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
 }
 
-double order(const Series& series) {
-  std::vector<Sample> samples;
-  for (const bounds::Level& level : series.levels)
-    if (drawable(level)) samples.push_back({static_cast<double>(level.cells), level.bracket.relative_error_bound});
-  return observed_order(samples);
-}
+double order(const Series& series) { return observed_order(samples_of(series.levels)); }
 
 std::string label(const Series& series) { return fmt::format("{}, degree {}", series.strategy, series.degree); }
 
