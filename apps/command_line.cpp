@@ -66,7 +66,7 @@ void add_run(CLI::App& app, Options& options) {
   command->add_flag("--all-levels", options.run.all_levels, "Quantities on all levels, not on some");
   command->add_flag("--last-level", options.run.last_level, "Write the fields of the last level only");
   command->add_flag("--png", options.run.png, "Pictures as PNG too");
-  command->add_flag("--no-report", options.no_report, "Leave report.html and the pictures out");
+  command->add_flag("--no-report", options.no_report, "Leave report, sheet and pictures out");
 }
 
 void add_studies(CLI::App& app, Options& options) {
@@ -128,14 +128,28 @@ std::vector<std::string> names_of(const CLI::App& app) {
   return names;
 }
 
-/// A word that begins the command line and is no command: a scene to run.
+/// The place of the first word that is neither an option of `command` nor the value of one; words.size(): there is
+/// none.
+std::size_t first_argument(const CLI::App& command, const std::vector<std::string>& words) {
+  std::size_t i = 0;
+  for (; i < words.size() && words[i].starts_with("-"); ++i) {
+    const CLI::Option* option = command.get_option_no_throw(words[i]);
+    if (option != nullptr && option->get_expected_min() > 0) ++i;  // its value is the next word
+  }
+  return std::min(i, words.size());
+}
+
+/// The command line with "run" in front where its first word, but for options of run, is no command: a scene to run.
 /// \throw Error (input) if it cannot be one
-std::vector<std::string> with_command(std::vector<std::string> words, const std::vector<std::string>& known) {
+std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
+  const std::vector<std::string> known = names_of(app);
   if (words.empty())
     throw Error(Status::input,
                 fmt::format("expected a command or a scene: {} (see bracket --help)", fmt::join(known, ", ")));
-  const std::string first = words.front();
-  if (first.starts_with("-") || std::ranges::find(known, first) != known.end()) return words;
+  const std::size_t place = first_argument(*app.get_subcommand("run"), words);
+  if (place == words.size()) return words;
+  const std::string first = words[place];
+  if (std::ranges::find(known, first) != known.end()) return words;
   std::error_code error;
   const bool is_scene =
       std::filesystem::path(first).extension() == ".toml" || std::filesystem::is_regular_file(first, error);
@@ -174,7 +188,7 @@ Ending perform(std::vector<std::string> words) {
   add_assess(app, options.assess);
   add_the_rest(app, options);
 
-  words = with_command(std::move(words), names_of(app));
+  words = with_command(std::move(words), app);
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
     app.parse(std::move(words));

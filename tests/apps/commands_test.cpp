@@ -30,6 +30,26 @@ TEST_F(Commands, ASceneAloneIsRun) {
   EXPECT_EQ(alone.out, shell("bracket run scene.toml --quiet --set refine.max_levels=1").out);
 }
 
+TEST_F(Commands, OptionsMayComeBeforeASceneAlone) {
+  const std::string answer = shell("bracket run scene.toml --quiet --set refine.max_levels=1").out;
+  for (const char* words :
+       {"--quiet --set refine.max_levels=1 scene.toml", "--quiet -o there scene.toml", "-o run --quiet scene.toml",
+        "--set=refine.max_levels=1 --quiet scene.toml -o there", "--quiet -- scene.toml"}) {
+    const Ended ended = shell(std::string("bracket ") + words);
+    EXPECT_EQ(ended.status, 0) << words << ended.err;
+    EXPECT_EQ(ended.out, answer) << words;
+  }
+  EXPECT_EQ(shell("ls").out, "run\nscene.out\nscene.toml\nthere\n");
+  for (const auto& [words, by] : {std::pair("--quiet rum", "unknown command 'rum'"),
+                                  {"--quiet", "--quiet"},
+                                  {"--fast scene.toml", "--fast"},
+                                  {"-o", "-o"}}) {
+    const Ended ended = shell(std::string("bracket ") + words);
+    EXPECT_EQ(ended.status, 2) << words;
+    EXPECT_NE(ended.err.find(by), std::string::npos) << ended.err;
+  }
+}
+
 TEST_F(Commands, MisspeltOnesAreAnsweredByTheNearest) {
   const auto answered = [&](const std::string& words, const std::string& by) {
     const Ended ended = shell("bracket " + words);
