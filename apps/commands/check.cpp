@@ -9,6 +9,7 @@
 #include "apps/report/json.h"
 #include "apps/report/lines.h"
 #include "apps/report/pairs.h"
+#include "apps/report/units.h"
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
 
@@ -59,12 +60,12 @@ std::vector<Part> parts_of(const scene::Mesh<2>& mesh) {
   return parts;
 }
 
-std::string mesh_text(const scene::Mesh<2>& mesh) {
+std::string mesh_text(const scene::Mesh<2>& mesh, const Units& units) {
   const scene::Quality quality = scene::quality(mesh);
   return fmt::format(
-      "mesh: {} cells, {} vertices, {} edges\n  angles {:.1f} to {:.1f} degrees, areas {:.3g} to {:.3g}\n",
+      "mesh: {} cells, {} vertices, {} edges\n  angles {:.1f} to {:.1f} degrees, areas {:.3g} to {:.3g}{}\n",
       mesh.cells.size(), mesh.vertices.size(), mesh.edges.size(), quality.smallest_angle, quality.largest_angle,
-      quality.smallest_area, quality.largest_area);
+      quality.smallest_area, quality.largest_area, units.area);
 }
 
 Json mesh_json(const scene::Mesh<2>& mesh) {
@@ -75,14 +76,14 @@ Json mesh_json(const scene::Mesh<2>& mesh) {
           {"quality", quality_json(mesh)}};
 }
 
-std::string text(const Body& body) {
-  return fmt::format("  body {}: {} cells, area {:.6g}", body.name, body.cells, body.area);
+std::string text(const Body& body, const Units& units) {
+  return fmt::format("  body {}: {} cells, area {:.6g}{}", body.name, body.cells, body.area, units.area);
 }
 Json json(const Body& body) { return {{"name", body.name}, {"cells", body.cells}, {"area", body.area}}; }
 
-std::string text(const Part& part) {
-  return fmt::format("  {}: {} edges, length {:.6g}", part.name.empty() ? "without a name" : part.name, part.edges,
-                     part.length);
+std::string text(const Part& part, const Units& units) {
+  return fmt::format("  {}: {} edges, length {:.6g}{}", part.name.empty() ? "without a name" : part.name, part.edges,
+                     part.length, units.length);
 }
 Json json(const Part& part) {
   return {{"name", part.name.empty() ? Json() : Json(part.name)}, {"edges", part.edges}, {"length", part.length}};
@@ -130,9 +131,10 @@ Pair pair_of(const scene::Scene<2>& scene, const scene::Problem<2>& problem, int
   return pair;
 }
 
-std::string text(const Pair& pair) {
-  return fmt::format("  {} on {}, {}: {} edges; gap {:.4g} to {:.4g}\n", name(pair.sides.first),
-                     name(pair.sides.second), law_text(pair.sides), pair.facets, pair.smallest, pair.largest);
+std::string text(const Pair& pair, const Units& units) {
+  return fmt::format("  {} on {}, {}: {} edges; gap {:.4g} to {:.4g}{}\n", name(pair.sides.first),
+                     name(pair.sides.second), law_text(pair.sides), pair.facets, pair.smallest, pair.largest,
+                     units.length);
 }
 Json json(const Pair& pair) {
   return {{"first", pair.sides.first.parts},
@@ -145,18 +147,21 @@ Json json(const Pair& pair) {
 std::string problem_text(const scene::Scene<2>& scene, const scene::Problem<2>& problem) {
   std::string result = fmt::format("{} (plane {}{})\n", scene.title, name(scene.plane),
                                    scene.units.empty() ? "" : "; units " + scene.units);
-  result += mesh_text(problem.mesh);
+  const Units units = units_of(scene.units);
+  result += mesh_text(problem.mesh, units);
   for (std::size_t i = 0; const Body& body : bodies_of(problem.mesh)) {
     const scene::Vector<2>& force = problem.bodies[i++].force;
-    result += text(body);
-    if (!force.isZero(0)) result += fmt::format(", body force ({:.4g}, {:.4g})", force.x(), force.y());
+    result += text(body, units);
+    if (!force.isZero(0))
+      result += fmt::format(", body force ({:.4g}, {:.4g}){}", force.x(), force.y(), units.body_force);
     result += "\n";
   }
   result += "boundary:\n";
   for (const Part& part : parts_of(problem.mesh))
-    result += fmt::format("{}: {}\n", text(part), condition_text(scene, part.name));
+    result += fmt::format("{}: {}\n", text(part, units), condition_text(scene, part.name));
   result += scene.contact.empty() ? "contact: none\n" : "contact:\n";
-  for (std::size_t i = 0; i < scene.contact.size(); ++i) result += text(pair_of(scene, problem, static_cast<int>(i)));
+  for (std::size_t i = 0; i < scene.contact.size(); ++i)
+    result += text(pair_of(scene, problem, static_cast<int>(i)), units);
   return result +
          fmt::format("data oscillation: traction {:.1e}, displacement {:.1e}, gap {:.1e} of the largest value\n",
                      problem.oscillation.traction, problem.oscillation.displacement, problem.oscillation.gap);
@@ -225,10 +230,10 @@ void info(const std::filesystem::path& file, bool as_json) {
     return;
   }
   print_notes(mesh);
-  std::cout << within_columns(mesh_text(mesh));
-  for (const Body& body : bodies_of(mesh)) std::cout << text(body) << "\n";
+  std::cout << within_columns(mesh_text(mesh, {}));
+  for (const Body& body : bodies_of(mesh)) std::cout << text(body, {}) << "\n";
   std::cout << "boundary:\n";
-  for (const Part& part : parts_of(mesh)) std::cout << text(part) << "\n";
+  for (const Part& part : parts_of(mesh)) std::cout << text(part, {}) << "\n";
 }
 
 }  // namespace bracket::apps

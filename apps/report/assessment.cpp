@@ -11,6 +11,7 @@
 #include "apps/report/lines.h"
 #include "apps/report/numbers.h"
 #include "apps/report/quantities.h"
+#include "apps/report/units.h"
 
 namespace bracket::apps {
 namespace {
@@ -43,11 +44,13 @@ std::string triangles(const AssessmentReport& report) {
 }
 
 /// What is not admissible: all of it counts as error.
-std::string inadmissible(const Assessment& of) {
+std::string inadmissible(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
+  const std::string unit = units_of(report.scene.units).length;
   const double rounding = std::numeric_limits<double>::epsilon() * of.largest;
   const auto share = [&](double length, const char* whole) {
     return of.largest > 0 ? fmt::format("{} of {}", rounded_up_exponent(length / of.largest), whole)
-                          : rounded_up_exponent(length);
+                          : rounded_up_exponent(length) + unit;
   };
   constexpr const char* largest = "its largest displacement";
   std::string text;
@@ -59,18 +62,22 @@ std::string inadmissible(const Assessment& of) {
 }
 
 /// Of the problem that the bounds hold for, where it is not quite the scene's, a line each.
-std::string what_else(const Assessment& of) {
+std::string what_else(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
   std::string text;
   if (of.guarantee == "discretisation") text += "! for data that were sampled\n";
   // An energy that differs by this much belongs to solutions that are √2 of it apart.
   if (std::sqrt(2 * of.data_energy) > of.error.upper - of.error.lower)
     text += fmt::format("! for the data as the displacement's mesh has them, which is {} off\n",
-                        std::isfinite(of.data_energy) ? "an energy of about " + rounded_up_exponent(of.data_energy)
+                        std::isfinite(of.data_energy) ? "an energy of about " + rounded_up_exponent(of.data_energy) +
+                                                            units_of(report.scene.units).energy
                                                       : "no bounded energy");
   return text;
 }
 
-std::string level_table(const Assessment& of) {
+std::string level_table(const AssessmentReport& report) {
+  const Assessment& of = report.assessment;
+  const std::string unit = units_of(report.scene.units).energy_norm;
   const auto& [norm_lower, norm_upper] = std::pair(of.levels.back().norm_lower, of.levels.back().norm_upper);
   const bool relative = norm_lower > 0;
   const auto told = [&](const ErrorInterval& interval) -> std::string {
@@ -88,8 +95,9 @@ std::string level_table(const Assessment& of) {
         fmt::format(format, level.cells, padded(told(level.by_stress), columns), padded(told(level.by_energy), columns),
                     fmt::format("{:.3g}", level.stress_error), fmt::format("{:.2f}", level.seconds));
   return text +
-         fmt::format("(errors between bounds{}; the error of Bracket's mean stress is at most the fourth number)\n",
-                     relative ? " in % of the last level's norm" : "");
+         fmt::format("(errors between bounds{}; the error of Bracket's mean stress is at most the fourth number{})\n",
+                     relative ? " in % of the last level's norm" : (unit.empty() ? "" : ", in" + unit),
+                     unit.empty() ? "" : ", in" + unit);
 }
 
 Json interval_json(const ErrorInterval& interval) {
@@ -102,14 +110,16 @@ std::string assessment_headline(const AssessmentReport& report) {
   const Assessment& of = report.assessment;
   if (of.guarantee == "none") return within_columns(fmt::format("no guaranteed bounds: {}\n", of.reason));
   const bool relative = std::isfinite(of.relative.lower);
-  std::string text = what_else(of) + fmt::format("{} guaranteed error of the displacement  {}   (energy norm)\n",
-                                                 mark(Standing::guaranteed),
-                                                 relative ? between(in_percent(of.relative), " %")
-                                                          : between(of.error, "") + ", where nothing else is strained");
+  std::string text =
+      what_else(report) +
+      fmt::format(
+          "{} guaranteed error of the displacement  {}   (energy norm)\n", mark(Standing::guaranteed),
+          relative ? between(in_percent(of.relative), " %")
+                   : between(of.error, units_of(report.scene.units).energy_norm) + ", where nothing else is strained");
   if (of.field.given.interpolated)
     text += fmt::format("interpolated: {} is of another mesh; what is judged has its values at the nodes of {}\n",
                         report.field, triangles(report));
-  text += inadmissible(of);
+  text += inadmissible(report);
   if (of.relative.lower > 1)
     text +=
         "note: above 100 %, zero would be no worse: are signs, units and moduli, plane stress or strain, supports and "
@@ -127,7 +137,7 @@ std::string assessment_text(const AssessmentReport& report) {
     text += fmt::format(
         "The energy norm is the root of twice the strain energy; 100 % is that of\nBracket's own displacement. The "
         "error itself is {}. Guarantee: {}.\n\n{}",
-        between(of.error, ""), of.guarantee, level_table(of));
+        between(of.error, units_of(report.scene.units).energy_norm), of.guarantee, level_table(report));
   if (of.status == scene::Status::budget) text += fmt::format("Budget: {}\n", of.reason);
   return within_columns(text);
 }

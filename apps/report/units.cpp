@@ -59,12 +59,20 @@ Units units_of(const std::string& label) {
     if (std::abs(ratio - 1) > 1e-9) return {};  // rounding of the table's own numbers is less
   }
   const std::string_view l = length->name;
-  if (force == nullptr)
-    return {fmt::format(" {}", l), fmt::format(" {}", stress->name), fmt::format(" {} {}", stress->name, l),
-            fmt::format(" {} {}²", stress->name, l), " rad"};
-  return {fmt::format(" {}", l),
-          stress != nullptr ? fmt::format(" {}", stress->name) : fmt::format(" {}/{}²", force->name, l),
-          fmt::format(" {}/{}", force->name, l), fmt::format(" {} {}/{}", force->name, l, l), " rad"};
+  Units units{.length = fmt::format(" {}", l), .angle = " rad", .area = fmt::format(" {}²", l)};
+  if (force == nullptr) {
+    units.stress = fmt::format(" {}", stress->name);
+    units.force = fmt::format(" {} {}", stress->name, l);
+    units.energy = fmt::format(" {} {}²", stress->name, l);
+    units.body_force = fmt::format(" {}/{}", stress->name, l);
+  } else {
+    units.stress = stress != nullptr ? fmt::format(" {}", stress->name) : fmt::format(" {}/{}²", force->name, l);
+    units.force = fmt::format(" {}/{}", force->name, l);
+    units.energy = fmt::format(" {} {}/{}", force->name, l, l);
+    units.body_force = fmt::format(" {}/{}³", force->name, l);
+  }
+  units.energy_norm = fmt::format(" √({})", units.energy.substr(1));
+  return units;
 }
 
 std::string unit_of(const scene::Quantity<2>& quantity, const Units& units) {

@@ -11,6 +11,8 @@ namespace bracket::apps {
 /// told by thickness is so in its unit.
 struct Units {
   std::string length, stress, force, energy, angle;  ///< force and energy by thickness
+  std::string area, body_force;
+  std::string energy_norm;  ///< the root of an energy by thickness
 };
 
 /// What the label of a scene's units says, such as "N, mm, MPa": it names one unit of length and one of force or of

@@ -65,6 +65,8 @@ TEST_F(AssessCommand, SaysTheIntervalAndLeavesWhatShowsWhere) {
   EXPECT_NE(out.find("\nnot admissible: it misses what supports prescribe by up to "), std::string::npos) << out;
   EXPECT_NE(out.find(", and penetrates the contact by up to "), std::string::npos) << out;
   EXPECT_NE(out.find("linear triangles of the scene's mesh, refined 1 time\n"), std::string::npos) << out;
+  EXPECT_NE(out.find(" √(N mm/mm). Guarantee: rounding-safe."), std::string::npos) << out;
+  EXPECT_NE(out.find("at most the fourth number, in √(N mm/mm))"), std::string::npos) << out;
   for (const char* name : {"assess.json", "assess.vtu", "error.svg"})
     EXPECT_TRUE(fs::exists(directory / "scene.assess" / name)) << name;
   const auto report = nlohmann::json::parse(read("scene.assess/assess.json"));

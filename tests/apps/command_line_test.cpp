@@ -118,10 +118,20 @@ TEST_F(CommandLine, OverridesChangeTheScene) {
 TEST_F(CommandLine, CheckTellsWhatItUnderstoodAndWritesNothing) {
   const Ended ended = shell("bracket check scene.toml");
   EXPECT_EQ(ended.status, 0) << ended.err;
-  for (const char* part : {"body lower: 32 cells, area 1", "lower.bottom: 4 edges, length 1: fixed",
-                           "upper.right: 4 edges, length 1: free", "upper.bottom on lower.top: 4 edges", "solvable"})
+  for (const char* part :
+       {"body lower: 32 cells, area 1 mm²", "lower.bottom: 4 edges, length 1 mm: fixed",
+        "upper.right: 4 edges, length 1 mm: free", "upper.bottom on lower.top: 4 edges; gap 0 to 0 mm\n",
+        "areas 0.0312 to 0.0312 mm²", "solvable"})
     EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
   EXPECT_EQ(shell("ls").out, "scene.toml\n");
+}
+
+TEST_F(CommandLine, CheckHasNoUnitsThatItDoesNotKnow) {
+  const std::string heavy = "bracket check scene.toml --set 'bodies.lower.body_force=[0, -2]'";
+  EXPECT_NE(shell(heavy).out.find("body force (0, -2) N/mm³\n"), std::string::npos);
+  const Ended ended = shell(heavy + " --set 'units=\"furlongs\"'");
+  for (const char* part : {"body force (0, -2)\n", "length 1: fixed", "gap 0 to 0\n", "area 1, body"})
+    EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
 }
 
 TEST_F(CommandLine, CheckAndRunTellBondedSides) {
@@ -131,7 +141,7 @@ TEST_F(CommandLine, CheckAndRunTellBondedSides) {
   const std::string note = "'upper.bottom' and 'lower.top' are bonded along 4 edges";
   const Ended check = shell("bracket check bonded.toml");
   EXPECT_EQ(check.status, 0) << check.err;
-  EXPECT_NE(check.out.find("lower.top: 0 edges, length 0: bonded to upper.bottom"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("lower.top: 0 edges, length 0 mm: bonded to upper.bottom"), std::string::npos) << check.out;
   EXPECT_NE(check.err.find(note), std::string::npos) << check.err;
   const Ended run = shell("bracket run bonded.toml --no-report");
   EXPECT_NE(run.err.find(note), std::string::npos) << run.err;

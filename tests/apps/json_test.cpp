@@ -32,7 +32,7 @@ TEST_F(JsonOutput, CheckTellsTheSameAsItsText) {
   EXPECT_EQ(told["boundary"].size(), 8u);
   for (const Json& part : told["boundary"])
     EXPECT_NE(text.out.find(part["name"].get<std::string>() +
-                            ": 4 edges, length 1: " + part["condition"].get<std::string>() + "\n"),
+                            ": 4 edges, length 1 mm: " + part["condition"].get<std::string>() + "\n"),
               std::string::npos)
         << part;
   ASSERT_EQ(told["contact"].size(), 1u);

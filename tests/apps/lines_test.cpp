@@ -36,6 +36,10 @@ TEST(Units, StandBehindNumbersWhereTheyAreKnownAndFit) {
   EXPECT_EQ(units_of("N, mm, MPa").stress, " MPa");
   EXPECT_EQ(units_of("N, m").stress, " N/m²");
   EXPECT_EQ(units_of("m, kPa").force, " kPa m");
+  EXPECT_EQ(units_of("m, kPa").body_force, " kPa/m");
+  EXPECT_EQ(units_of("N, mm, MPa").body_force, " N/mm³");
+  EXPECT_EQ(units_of("N, mm, MPa").energy_norm, " √(N mm/mm)");
+  EXPECT_EQ(units_of("ft, kip").area, " ft²");
   EXPECT_EQ(units_of("lbf, in, psi").length, " in");
   // Not fitting together, unknown, twice or too few: the label is all there is.
   for (const char* label : {"N, m, MPa", "kgf, mm", "N, mm, m", "mm", "", "SI"})
