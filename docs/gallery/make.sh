@@ -1,13 +1,14 @@
 #!/bin/sh
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-# sh docs/gallery/make.sh [PROGRAM [DOCS]]: solves every scene of apps/scenes with PROGRAM (bracket), writes DOCS/gallery.md
-# (DOCS: docs) and, where pngquant is installed, which makes them small, the pictures DOCS/images/gallery/NAME.png.
+# sh docs/gallery/make.sh [PROGRAM [DOCS [SCENE…]]]: solves every SCENE (all of apps/scenes) with PROGRAM (bracket), writes
+# DOCS/gallery.md (DOCS: docs) and, where pngquant is installed, which makes them small, the pictures
+# DOCS/images/gallery/NAME.png.
 # The question of a scene is its second line, "# Question: …".
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-scenes=$here/../../apps/scenes
 program=${1:-bracket}
 docs=${2:-$here/..}
+if [ $# -gt 2 ]; then shift 2; else set -- "$here"/../../apps/scenes/*.toml; fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$docs/images/gallery"
@@ -21,7 +22,7 @@ text() { sed -n "s/^$1 *= *\"\(.*\)\"\$/\1/p" "$2"; }  # of a key of a scene
   echo
   echo 'Every scene of [apps/scenes](../apps/scenes), with its question, what the last mesh'"'"'s interval is, and the command. A scene begins with'
   echo 'what it shows and what to try. `sh docs/gallery/make.sh` solves them and writes this page.'
-  for scene in "$scenes"/*.toml; do
+  for scene; do
     name=$(basename "$scene" .toml)
     "$program" run "$scene" -o "$work/$name" --png --quiet > "$work/out" || { cat "$work/out" >&2; exit 1; }
     if command -v pngquant > /dev/null; then

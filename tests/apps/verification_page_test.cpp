@@ -23,6 +23,15 @@ TEST_F(VerificationPage, IsWhatItsCommandWritesAndEveryValueIsInside) {
   EXPECT_EQ(without_intervals(page), without_intervals(read("committed.md")));
 }
 
+TEST_F(VerificationPage, ASecondRunChangesNothing) {
+  shell("mkdir cases && cd '" BRACKET_DOCS
+        "/verification' && cp make.sh case.awk head.md bending.toml lever.toml two-blocks.toml '" +
+        (directory / "cases'").string());
+  for (const char* page : {"once.md", "twice.md"})
+    EXPECT_EQ(shell(std::string("sh cases/make.sh '" BRACKET_PROGRAM "' ") + page).status, 0);
+  EXPECT_EQ(read("once.md"), read("twice.md"));
+}
+
 TEST_F(VerificationPage, AValueThatLeavesItsIntervalIsAnError) {
   shell("mkdir cases && cd '" BRACKET_DOCS "/verification' && cp make.sh case.awk head.md gap-closes.toml '" +
         (directory / "cases'").string());
