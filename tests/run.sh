@@ -9,7 +9,7 @@
 set -eu
 
 project=$(cd "$(dirname "$0")/.." && pwd)
-more_packages=clang-format-14
+more_packages="clang-format-14 mkdocs"
 . "$project/apps/setup.sh"
 cd "$project"
 
