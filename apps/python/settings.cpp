@@ -2,6 +2,11 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+
 #include "apps/python/module.h"
 #include "apps/python/options.h"
 
@@ -27,6 +32,31 @@ void set_refine(scene::Scene<2>& scene, const std::optional<std::string>& strate
   set(refine.max_seconds, max_seconds);
   set(refine.goal, goal);
   set(refine.all_levels, all_levels);
+}
+
+/// Of the first mesh; one of a file is taken for a fine one, as scene files do.
+double cells_of(const scene::Scene<2>& scene) {
+  if (scene.given) return static_cast<double>(scene.given->cells.size());
+  if (scene.blocks.empty()) return std::numeric_limits<double>::infinity();
+  double cells = 0;
+  for (const scene::Block<2>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
+  return cells;
+}
+
+void set_solve(scene::Scene<2>& scene, const std::optional<std::variant<int, std::string>>& degree,
+               const std::optional<std::string>& dual) {
+  if (dual) scene.solve.dual = option_of<scene::Dual>(*dual, "dual");
+  if (!degree) return;
+  if (const int* number = std::get_if<int>(&*degree)) {
+    scene.solve.degree = *number;
+    return;
+  }
+  if (const std::string& word = std::get<std::string>(*degree); word != "auto")
+    throw py::value_error(fmt::format("degree must be an integer from 1 to 4 or \"auto\", is \"{}\"", word));
+  scene::Refine& refine = scene.refine;
+  const bool bulk_is_default = refine.bulk == scene::bulk_for(scene.solve.degree);
+  scene.solve.degree = scene.solve.dual == scene::Dual::uzawa ? 2 : scene::degree_for(refine.target, cells_of(scene));
+  if (bulk_is_default) refine.bulk = scene::bulk_for(scene.solve.degree);
 }
 
 /// The mesh that `bracket mesh` writes: contact sides cut alike, refined uniformly.
@@ -58,13 +88,9 @@ void add_settings(py::class_<scene::Scene<2>>& scene) {
            "default. target: relative error bound to reach. goal: name of the quantity to refine for. all_levels:\n"
            "quantities on each mesh.")
       .def(
-          "set_solve",
-          [](scene::Scene<2>& self, std::optional<int> degree, const std::optional<std::string>& dual) {
-            if (degree) self.solve.degree = *degree;
-            if (dual) self.solve.dual = option_of<scene::Dual>(*dual, "dual");
-          },
-          py::kw_only(), py::arg("degree") = none, py::arg("dual") = none,
-          "degree: of the displacements, 1 to 4. dual: \"hybrid\" or \"uzawa\".")
+          "set_solve", set_solve, py::kw_only(), py::arg("degree") = none, py::arg("dual") = none,
+          "degree: of the displacements, 1 to 4, or \"auto\": the one that comes to the target, on the mesh, that the\n"
+          "scene has by now at about the least cost. dual: \"hybrid\" or \"uzawa\".")
       .def("check", scene::check<2>, "Raises Error for the first fault that can be seen without the mesh.")
       .def("mesh", mesh_of, py::arg("refinements") = 0,
            "The mesh that runs begin with, for another program, as `bracket mesh` writes it: contact sides are cut\n"

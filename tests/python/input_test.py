@@ -1,5 +1,6 @@
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 import copy
+import json
 import pathlib
 import tempfile
 import unittest
@@ -184,6 +185,8 @@ class Arguments(unittest.TestCase):
             (lambda: scene.add_quantity("q", "stress", "a"), ValueError),
             (lambda: scene.add_curve("a", center=(0, 0)), ValueError),
             (lambda: scene.set_refine(strategy="adaptiv"), ValueError),
+            (lambda: scene.set_solve(degree="automatic"), ValueError),
+            (lambda: scene.set_solve(degree=2.5), TypeError),
             (lambda: scene.mesh(-1), ValueError),
             (lambda: bracket.run(None), TypeError),
             (lambda: bracket.run(scene, 5), TypeError),
@@ -204,6 +207,47 @@ class Arguments(unittest.TestCase):
             scene.set_pressure("block.top", wrong)
             with self.assertRaises(kind):
                 bracket.run(scene)
+
+    def test_of_the_degree_may_be_left_to_the_scene(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        file = pathlib.Path(folder.name) / "scene.toml"
+        for target, cells in ((0, 4), (0.01, 4), (1e-6, 4), (0.01, 32), (1e-4, 32)):
+            scene = scenes.square()
+            scene.set_refine(target=target, strategy="adaptive", max_levels=2)
+            scene.add_block("far", (5, 6), (0, 1), (cells, cells))
+            scene.add_body("far", E=1000, nu=0.3)
+            scene.set_fixed("far.left", 0, 0)
+            scene.set_pressure("far.top", 1)
+            scene.set_solve(degree="auto")
+            file.write_text(f"""schema = 1
+mesh.block = [{{ body = "block", x = [0, 1], y = [0, 1], cells = [4, 4] }},
+              {{ body = "far", x = [5, 6], y = [0, 1], cells = [{cells}, {cells}] }}]
+bodies.block = {{ E = 1000, nu = 0.3 }}
+bodies.far = {{ E = 1000, nu = 0.3 }}
+[boundary]
+"block.left" = {{ sliding = 0 }}
+"block.top" = {{ pressure = 1 }}
+"far.left" = {{ fixed = [0, 0] }}
+"far.top" = {{ pressure = 1 }}
+[[contact]]
+first = "block.bottom"
+second = "rigid"
+[refine]
+strategy = "adaptive"
+max_levels = 2
+target = {target}
+[solve]
+degree = "auto"
+""")
+            ours, read = (json.loads(bracket.run(one).json()) for one in (scene, bracket.read_scene(file)))
+            self.assertEqual(ours["degree"], read["degree"], (target, cells))
+            # The same bulk marks the same cells.
+            self.assertEqual([one["cells"] for one in ours["levels"]], [one["cells"] for one in read["levels"]])
+        scene = scenes.square(dual="uzawa")
+        scene.set_refine(target=1e-6)
+        scene.set_solve(degree="auto")  # blocks of linear stresses
+        scene.check()
 
     def test_of_obstacles_and_arcs_are_taken(self):
         scene = scenes.square()

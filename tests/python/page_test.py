@@ -60,6 +60,7 @@ class Examples(unittest.TestCase):
             plot.draw(outcome, file)
             self.assertEqual(file.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
+    @unittest.skipUnless(is_there("matplotlib"), "needs matplotlib")
     def test_mean_stress_is_that_of_the_points_in_the_middle(self):
         plot = example("plot")
         scene = plot.scene()
