@@ -25,3 +25,8 @@ list(TRANSFORM libraries PREPEND -l)
 list(JOIN libraries " " BRACKET_LINK)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/bracket.pc.in ${PROJECT_BINARY_DIR}/bracket.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/bracket.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# The pages, with the scenes and meshes that they use, as they lie.
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        PATTERN site EXCLUDE PATTERN make.sh EXCLUDE PATTERN "*.awk" EXCLUDE PATTERN head.md EXCLUDE)
