@@ -25,7 +25,7 @@ struct RunOptions {
   bool quiet = false;                  ///< print the answer alone
   bool all_levels = false;             ///< quantities on all levels
   bool last_level = false;             ///< write the fields of the last level only
-  bool pictures = true;                ///< draw pictures and write report.html
+  bool pictures = true;                ///< draw pictures, write report.html and the sheet
   bool png = false;                    ///< pictures as PNG too
 };
 
