@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "apps/report/numbers.h"
 #include "apps/report/order.h"
+#include "apps/report/pairs.h"
 #include "apps/report/units.h"
 
 namespace bracket::apps {
@@ -60,9 +62,10 @@ std::string model(const Report& report) {
   const scene::Scene<2>& scene = report.scene;
   std::string text = fmt::format("linear elasticity, small displacements, plane {}; {}", name(scene.plane),
                                  counted(report.outcome.problem.bodies.size(), "body", "bodies"));
-  text += scene.contact.empty() ? "; no contact"
-                                : fmt::format("; unilateral contact without friction: {}",
-                                              counted(scene.contact.size(), "pair", "pairs"));
+  if (scene.contact.empty()) text += "; no contact";
+  std::map<std::string, std::size_t> laws;
+  for (const auto& pair : scene.contact) ++laws[law_text(pair)];
+  for (const auto& [law, pairs] : laws) text += fmt::format("; contact {}: {}", law, counted(pairs, "pair", "pairs"));
   if (!scene.bonds.empty()) text += fmt::format("; bonded sides: {}", counted(scene.bonds.size(), "pair", "pairs"));
   return text + (scene.units.empty() ? "; units: not told" : "; units " + scene.units);
 }
@@ -82,6 +85,8 @@ std::string certainty(const Report& report) {
   const std::string sure =
       "the exact value of the mathematical model lies in each interval marked ●, for sure: discretisation, iteration "
       "and rounding are all inside";
+  if (report.outcome.guarantee == "tresca-step")
+    return sure + "; but of friction up to the bound of the last step, for Coulomb's law has no energy";
   if (report.outcome.guarantee != "discretisation") return sure;
   return sure + "; but some functions are known at points only, and what they do between is not";
 }
@@ -101,7 +106,8 @@ std::vector<Line> outside() {
       {"validation", "not done: no experiment is compared with, so that nothing is said of the error of the model"},
       {"uncertainty of the input", "not assessed: geometry, moduli, loads, supports and gaps are taken as given"},
       {"model",
-       "friction, large displacements and strains, plastic or viscous materials, inertia, heat and what "
+       "friction that depends on the path, large displacements and strains, plastic or viscous materials, inertia, "
+       "heat and what "
        "varies across the plane are not in it"},
       {"computed numbers (○)", "have no bound of their own; stresses at a point may be further off than their norm"}};
 }
