@@ -189,30 +189,6 @@ Found curve_fault(const Scene<2>& scene) {
   return {};
 }
 
-/// What is wrong with a pair's law; empty: nothing.
-std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair) {
-  if (pair.law == Law::bonded) return "a contact pair cannot be bonded; what sticks is a bond of its own";
-  const bool valued = pair.law == Law::winkler || pair.law == Law::tresca || pair.law == Law::coulomb;
-  if (valued != (pair.value && *pair.value))
-    return fmt::format("contact.law: '{}' has {}", name(pair.law), valued ? "no value" : "a value, and needs none");
-  if ((!valued || pair.law == Law::coulomb) && !pair.lifts_off)
-    return fmt::format("contact.law: sides that may not lift off are \"bilateral\", not \"{}\"", name(pair.law));
-  if (pair.law == Law::frictionless) return "";
-  if (scene.solve.dual == Dual::uzawa)
-    return fmt::format(
-        "contact.law: Uzawa's iteration knows frictionless contact only; for '{}' write solve.dual = "
-        "\"hybrid\"",
-        name(pair.law));
-  if (pair.law == Law::coulomb && scene.solve.degree > 2)
-    return fmt::format(
-        "contact.law: Coulomb's friction takes its bound from pressures that are linear on each edge, of "
-        "solve.degree 1 or 2; it is {}",
-        scene.solve.degree);
-  if (pair.zones > 0 && is_two_sided(pair))
-    return "contact.zones: where the sides cannot lift off there are no zones of contact to find";
-  return "";
-}
-
 Found contact_fault(const Scene<2>& scene) {
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
     const ContactPair<2>& pair = scene.contact[i];

@@ -27,6 +27,9 @@ std::optional<Fault> mesh_fault(const Scene<2>& scene);
 /// Of a body that none of the blocks makes, where there are blocks.
 std::optional<Fault> unmade_body(const std::vector<Block<2>>& blocks, const std::string& body);
 
+/// What is wrong with the law of a contact pair; empty: nothing.
+std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair);
+
 /// Of quantities, names of contacts, and the goal of refinement.
 std::optional<Fault> quantity_fault(const Scene<2>& scene);
 

@@ -17,8 +17,10 @@ std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetD
 /// make, rounded up, if it falls short of that by no more than 8 ε of the sizes involved: those displacements, the gap
 /// and the bodies, of whose positions a gap is the difference. No displacement could make good there what rounding has
 /// taken.
-/// A gap that is no quadratic is compared by its own value there, which Problem::gaps is told, with the approach that
-/// its lower quadratics have to admit. \pre everything else is fixed   \return by how much a gap was raised at most
+/// A gap of sides that keep together becomes that approach, if it differs by no more, as it is enclosed. On springs
+/// there is no need. A gap that is no quadratic is compared by its own value there, which Problem::gaps is told, with
+/// the approach that its lower quadratics have to admit. \pre everything else is fixed   \return by how much a gap was
+/// raised at most
 double make_room(Problem<2>& problem);
 
 }  // namespace bracket::scene
