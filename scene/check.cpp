@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "scene/fault.h"
@@ -312,9 +313,26 @@ std::string name(const Side& side) {
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
 void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }
 int degree_for(double target, double cells) {
-  const bool fine = cells >= 500;
+  const bool fine = cells >= 1000;
   if (target == 0 || target > (fine ? 3e-3 : 3e-2)) return 2;
   return target > (fine ? 3e-5 : 3e-4) ? 3 : 4;
+}
+
+template <int dim> double cells_of(const Scene<dim>& scene) {
+  if (scene.given) return static_cast<double>(scene.given->cells.size());
+  double cells = 0;
+  for (const Block<dim>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
+  if (!scene.blocks.empty()) return cells;
+  try {
+    return static_cast<double>(read_mesh<dim>(scene.mesh_file).cells.size());
+  } catch (const Error&) {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+template <int dim> bool has_coulomb(const Scene<dim>& scene) {
+  return std::any_of(scene.contact.begin(), scene.contact.end(),
+                     [](const ContactPair<dim>& pair) { return pair.law == Law::coulomb; });
 }
 
 double bulk_for(int degree) { return degree >= 3 ? 0.8 : 0.5; }
@@ -322,5 +340,7 @@ double bulk_for(int degree) { return degree >= 3 ? 0.8 : 0.5; }
 void check_degree(int degree) { throw_if(degree_fault(degree)); }
 
 template void check(const Scene<2>&);
+template double cells_of(const Scene<2>&);
+template bool has_coulomb(const Scene<2>&);
 
 }  // namespace bracket::scene

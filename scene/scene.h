@@ -138,8 +138,9 @@ struct Solve {
   Dual dual = Dual::hybrid;
 };
 
-/// The degree of displacements that comes to a target at about the least cost, by measurement (docs/performance.md).
-/// \param target relative error bound; 0: none asked   \param cells of the first mesh: a fine one costs a high degree
+/// The degree of displacements that comes to a target at about the least cost, at most 1.3 times that of the best one
+/// in what was measured (docs/performance.md). \param target relative error bound; 0: none asked   \param cells of the
+/// first mesh: a fine one costs a high degree
 ///     more than it gains
 int degree_for(double target, double cells);
 /// The bulk (see Refine) that does so for a degree.
@@ -181,6 +182,12 @@ template <int dim> void check(const Scene<dim>& scene);
 void check_settings(const Refine& refine, const Solve& solve);
 /// \throw Error (input) unless displacements of this degree are known: 1 to 4
 void check_degree(int degree);
+
+/// How many cells the blocks, the mesh file or the given mesh have, but for cuts along contact sides; infinite where
+/// the file cannot be read, which build_mesh() then tells.
+template <int dim> double cells_of(const Scene<dim>& scene);
+/// Whether some contact has Coulomb's friction.
+template <int dim> bool has_coulomb(const Scene<dim>& scene);
 
 /// Reads a mesh file: Gmsh, Abaqus or what else libgmsh reads (docs/meshes.md). What it names bodies and boundary parts
 /// and what is mended on reading is told in docs/scene-file.md.

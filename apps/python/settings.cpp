@@ -34,15 +34,6 @@ void set_refine(scene::Scene<2>& scene, const std::optional<std::string>& strate
   set(refine.all_levels, all_levels);
 }
 
-/// Of the first mesh; one of a file is taken for a fine one, as scene files do.
-double cells_of(const scene::Scene<2>& scene) {
-  if (scene.given) return static_cast<double>(scene.given->cells.size());
-  if (scene.blocks.empty()) return std::numeric_limits<double>::infinity();
-  double cells = 0;
-  for (const scene::Block<2>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
-  return cells;
-}
-
 void set_solve(scene::Scene<2>& scene, const std::optional<std::variant<int, std::string>>& degree,
                const std::optional<std::string>& dual) {
   if (dual) scene.solve.dual = option_of<scene::Dual>(*dual, "dual");
@@ -55,7 +46,8 @@ void set_solve(scene::Scene<2>& scene, const std::optional<std::variant<int, std
     throw py::value_error(fmt::format("degree must be an integer from 1 to 4 or \"auto\", is \"{}\"", word));
   scene::Refine& refine = scene.refine;
   const bool bulk_is_default = refine.bulk == scene::bulk_for(scene.solve.degree);
-  scene.solve.degree = scene.solve.dual == scene::Dual::uzawa ? 2 : scene::degree_for(refine.target, cells_of(scene));
+  const bool linear_stresses = scene.solve.dual == scene::Dual::uzawa || scene::has_coulomb(scene);
+  scene.solve.degree = linear_stresses ? 2 : scene::degree_for(refine.target, scene::cells_of(scene));
   if (bulk_is_default) refine.bulk = scene::bulk_for(scene.solve.degree);
 }
 

@@ -182,16 +182,8 @@ bool has_target(const Scene<2>& scene) {
                                                 [](const auto& one) { return one.target > 0 || one.absolute > 0; });
 }
 
-/// As many as blocks make; a mesh of a file is taken for a fine one.
-double cells_of(const Scene<2>& scene) {
-  if (scene.blocks.empty()) return std::numeric_limits<double>::infinity();
-  double cells = 0;
-  for (const Block<2>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
-  return cells;
-}
-
-/// \param target of [refine]   \param cells of the first mesh
-Solve read_solve(const toml::table& entry, double target, double cells) {
+/// \param scene what is read so far: all that "auto" depends on
+Solve read_solve(const toml::table& entry, const Scene<2>& scene) {
   check_keys(entry, "[solve]", {"degree", "dual"});
   Solve solve;
   if (const toml::node* node = entry.get("dual")) solve.dual = choice<Dual>(*node, "solve.dual");
@@ -201,8 +193,8 @@ Solve read_solve(const toml::table& entry, double target, double cells) {
     solve.degree = integer(*degree, "solve.degree");
   else if (text(*degree, "solve.degree") != "auto")
     refuse(*degree, fmt::format("solve.degree must be an integer from 1 to {} or \"auto\"", largest_degree));
-  else if (solve.dual != Dual::uzawa)  // which has linear stresses
-    solve.degree = degree_for(target, cells);
+  else if (solve.dual != Dual::uzawa && !has_coulomb(scene))  // which have linear stresses
+    solve.degree = degree_for(scene.refine.target, cells_of(scene));
   return solve;
 }
 
@@ -256,8 +248,7 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
       scene.quantities.push_back(read_quantity(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
   if (!root["refine"]["strategy"] && has_target(scene)) scene.refine.strategy = Strategy::adaptive;
-  if (const toml::node* node = root.get("solve"))
-    scene.solve = read_solve(table(*node, "solve"), scene.refine.target, cells_of(scene));
+  if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"), scene);
   if (!root["refine"]["bulk"]) scene.refine.bulk = bulk_for(scene.solve.degree);
   if (const auto fault = fault_of(scene)) refuse(deepest(root, in_file(fault->key, root)), fault->message);
   return scene;
