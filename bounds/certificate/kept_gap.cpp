@@ -133,8 +133,7 @@ FirstContacts first_contacts(const scene::Problem<2>& problem, const std::vector
   for (KeptGap& gap : result.kept) {
     std::array<Enclosure, 3> own;
     for (int i = 0; i < 3; ++i) own[i] = between_bounds<Enclosure>(gap.lower[i], gap.upper[i]);
-    const bool is_held = gap.held[0] || gap.held[1];
-    gap.is_linear = may_be_linear(own, is_held ? rounding_of(size_of(problem, gap)) : 0);
+    gap.is_linear = may_be_linear(own, rounding_of(size_of(problem, gap)));
     gap.is_psi_linear = may_be_linear(scene::psi<Enclosure>(gap.added, gap.d, scene::whole<1>(0)), 0);
   }
   return result;

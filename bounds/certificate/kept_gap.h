@@ -46,7 +46,7 @@ struct HeldEnd {
 /// The gap of a two-sided facet of the first mesh. Its bounds differ by rounding only, and neighbours agree by rounding
 /// only; what is meant is a function between them, up to that rounding, which
 /// - is what the supports prescribe where they do,
-/// - is linear where it may be,
+/// - is linear where it may be, but for rounding,
 /// - has one value at a vertex for each direction.
 struct KeptGap {
   std::array<double, 3> lower, upper;

@@ -22,12 +22,15 @@ bool agree(const std::array<double, 2>& one, const std::array<double, 2>& other)
   return std::abs(one[0] - other[0]) <= rounding(size) && std::abs(one[1] - other[1]) <= rounding(size);
 }
 
+bool are_sizes(const std::array<double, 2>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0; });
+}
+
 /// What is wrong with the law of a contact facet of the first mesh.
 std::string own_fault(const Problem<2>& first, std::size_t contact) {
   const auto& pair = first.contact[contact];
   const auto& [two_sided, modulus, friction, coulomb] = pair.law;  // μ is no part of the problem
-  for (const double value : {modulus[0], modulus[1], friction[0], friction[1]})
-    if (!std::isfinite(value) || value < 0) return "has a modulus or friction that is negative or not finite";
+  if (!are_sizes(modulus) || !are_sizes(friction)) return "has a modulus or friction that is negative or not finite";
   if ((modulus[0] > 0) != (modulus[1] > 0)) return "has springs at one end only";
   if (scene::has_springs(pair.law) && scene::has_friction(pair.law)) return "has springs and friction at once";
   if (scene::has_friction(pair.law) && pair.second >= 0) {
@@ -57,8 +60,11 @@ std::string law_fault(const Problem<2>& problem) {
     const auto& piece = problem.origin.facets[pair.first];
     const scene::FacetLaw exact =
         scene::on_piece(first, contact_of_facet[piece.of], pair.first, pair.second, piece).law;
+    const bool is_step = exact.coulomb > 0;  // of Coulomb's, with a bound of the shear that is of this mesh
     if (pair.law.two_sided != exact.two_sided || !agree(pair.law.modulus, exact.modulus) ||
-        !agree(pair.law.friction, exact.friction) || scene::has_springs(pair.law) != scene::has_springs(exact) ||
+        pair.law.coulomb != exact.coulomb ||
+        !(is_step ? are_sizes(pair.law.friction) : agree(pair.law.friction, exact.friction)) ||
+        scene::has_springs(pair.law) != scene::has_springs(exact) ||
         scene::has_friction(pair.law) != scene::has_friction(exact))
       return fmt::format("the contact of boundary facet {} has another law than on the first mesh", pair.first);
   }

@@ -21,7 +21,9 @@ LawOn<Number> law_on(const scene::Problem<2>& problem, const FirstContacts& cont
   LawOn<Number> result{{}, {}, root(dot(e, e))};
   for (int i = 0; i < 2; ++i) {
     result.modulus[i] = between_ends(Number(law.modulus[0]), Number(law.modulus[1]), corner[i][0]);
-    result.friction[i] = between_ends(Number(law.friction[0]), Number(law.friction[1]), corner[i][0]);
+    result.friction[i] = law.coulomb > 0  // a step's bound, given anew on each mesh
+                             ? Number(pair.law.friction[i])
+                             : between_ends(Number(law.friction[0]), Number(law.friction[1]), corner[i][0]);
   }
   return result;
 }

@@ -129,6 +129,7 @@ scene::Problem<2> random_problem(std::mt19937& generator) {
   const double stretch = uniform(0.3, 1), shear = uniform(-0.5, 0.5);
   const Eigen::Rotation2Dd turn(one_of(3) == 0 ? 0 : uniform(0, 6));
   for (Vector<2>& x : mesh.vertices) x = turn * Vector<2>(x[0] + shear * x[1], stretch * x[1]);
+  if (one_of(3) == 0) s.contact[0].law = scene::Law::bilateral;
   return scene::fix_data(s, mesh);
 }
 
