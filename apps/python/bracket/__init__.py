@@ -1,5 +1,5 @@
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-"""Energies and quantities of elastic bodies in frictionless contact, each between two guaranteed bounds.
+"""Energies and quantities of elastic bodies in contact, each between two guaranteed bounds.
 
     scene = bracket.read_scene("two_blocks.toml")      # or bracket.Scene(), filled in code
     outcome = bracket.run(scene)
