@@ -59,7 +59,10 @@ Units units_of(const std::string& label) {
     if (std::abs(ratio - 1) > 1e-9) return {};  // rounding of the table's own numbers is less
   }
   const std::string_view l = length->name;
-  Units units{.length = fmt::format(" {}", l), .angle = " rad", .area = fmt::format(" {}²", l)};
+  Units units;
+  units.length = fmt::format(" {}", l);
+  units.angle = " rad";
+  units.area = fmt::format(" {}²", l);
   if (force == nullptr) {
     units.stress = fmt::format(" {}", stress->name);
     units.force = fmt::format(" {} {}", stress->name, l);

@@ -16,13 +16,13 @@ namespace {
 using scene::Law;
 using scene::Scene;
 
-constexpr double young = 3, mu = 0.5;
+constexpr double modulus = 3, mu = 0.5;
 
 /// A block without side-strain (ν = 0), its top moved by (along, −down), on a wall; sides carry the shear t.
 Scene<2> sheared(double along, double down, double t) {
   Scene<2> s;
   s.blocks = {block("b", 0, 2, 0, 1, 3, 2)};
-  s.bodies = {{"b", scene::isotropic<2>(young, 0, scene::Plane::strain)}};
+  s.bodies = {{"b", scene::isotropic<2>(modulus, 0, scene::Plane::strain)}};
   s.boundary = {{"b.top", fixed(along, -down)},
                 {"b.right", traction(constant(0), constant(t))},
                 {"b.left", traction(constant(0), constant(-t))}};
@@ -33,13 +33,13 @@ Scene<2> sheared(double along, double down, double t) {
 
 // With p = E down and G = E/2: sticks while G along < μ p, slips by along − μ p/G beyond.
 TEST(Coulomb, UniformShearSticksOrSlips) {
-  constexpr double shear = young / 2, down = 0.25, area = 2, bound = mu * young * down;
+  constexpr double shear = modulus / 2, down = 0.25, area = 2, bound = mu * modulus * down;
   for (const int degree : {1, 2})
     for (const double sign : {1.0, -1.0})
       for (const double along : {0.125 * sign, 0.75 * sign}) {
         const double t = std::copysign(std::min(shear * std::abs(along), bound), along);
         const double slip = std::abs(along) - std::abs(t) / shear;
-        const double energy = 0.5 * (young * down * down + t * t / shear) * area + bound * slip * 2;
+        const double energy = 0.5 * (modulus * down * down + t * t / shear) * area + bound * slip * 2;
         Scene<2> s = sheared(along, down, t);
         s.solve.degree = degree;
         const auto outcome = bounds::run(s);
@@ -65,7 +65,7 @@ TEST(Coulomb, UniformShearSticksOrSlips) {
 Scene<2> on_slope(double degrees) {
   Scene<2> s;
   s.blocks = {block("b", 0, 2, 0, 1, 4, 2)};
-  s.bodies = {{"b", scene::isotropic<2>(young, 0.3, scene::Plane::strain)}};
+  s.bodies = {{"b", scene::isotropic<2>(modulus, 0.3, scene::Plane::strain)}};
   const double angle = degrees * std::numbers::pi / 180;
   s.bodies.at("b").force = {-std::sin(angle), -std::cos(angle)};
   s.contact = {{"b.bottom", "rigid", {}, ""}};
@@ -81,7 +81,9 @@ TEST(Coulomb, ABlockRestsOnASlopeThatIsNotTooSteep) {
     const auto& level = outcome.levels[i];
     EXPECT_LE(level.certificate.lower, level.certificate.upper);
     EXPECT_TRUE(level.friction.settled) << level.friction.residual;
-    if (i > 0) EXPECT_LT(level.friction.residual, outcome.levels[i - 1].friction.residual);
+    if (i > 0) {
+      EXPECT_LT(level.friction.residual, outcome.levels[i - 1].friction.residual);
+    }
   }
   try {
     bounds::run(on_slope(27));
@@ -114,7 +116,9 @@ TEST(Coulomb, ResidualsFallWithTheMesh) {
       EXPECT_TRUE(settled);
       EXPECT_GE(residual, 0);
       EXPECT_LE(residual, 2 * (outcome.levels[i].bracket.upper - outcome.levels[i].bracket.lower) * 1.001);
-      if (i > 0) EXPECT_LT(residual, 0.7 * outcome.levels[i - 1].friction.residual);
+      if (i > 0) {
+        EXPECT_LT(residual, 0.7 * outcome.levels[i - 1].friction.residual);
+      }
     }
   }
 }
