@@ -79,10 +79,10 @@ std::vector<std::span<const Line>> clusters(std::span<const Line> lines, double 
 /// not its opposite (as at the tip of a crack), from end to end.
 std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line> cluster,
                                        const std::vector<char>& counts) {
-  struct Ends {
+  struct OtherEnds {
     std::map<int, int> to, from;  // the other end of the chain that begins, or ends, at a vertex
   };
-  std::array<Ends, 2> sides;
+  std::array<OtherEnds, 2> sides;
   const Vector<2> reference = normal(mesh, cluster.front().facet);
   for (const Line& line : cluster) {
     if (!counts.empty() && !counts[line.facet]) continue;
@@ -101,7 +101,7 @@ std::vector<std::array<int, 2>> chains(const Mesh<2>& mesh, std::span<const Line
     from[end] = begin;
   }
   std::vector<std::array<int, 2>> result;
-  for (const Ends& side : sides)
+  for (const OtherEnds& side : sides)
     for (const auto& [begin, end] : side.to) result.push_back({begin, end});
   return result;
 }
