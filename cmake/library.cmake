@@ -16,9 +16,6 @@ function(bracket_library name)
   target_compile_definitions(bracket_${name} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   set_target_properties(bracket_${name} PROPERTIES
     EXPORT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  if(BRACKET_SANITIZE)  # it calls what was compiled for it, not the same template as compiled for a test
-    target_link_options(bracket_${name} PRIVATE -Wl,-Bsymbolic-functions)
-  endif()
   set_property(GLOBAL APPEND PROPERTY BRACKET_LIBRARIES bracket_${name})
   install(TARGETS bracket_${name} EXPORT bracket LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   foreach(header IN LISTS arg_HEADERS)
