@@ -98,8 +98,9 @@ TEST(Deformed, SupportsStayWhereTheyAre) {
   for (std::size_t facet = 0; facet < problem.facets.size(); ++facet)
     for (const int vertex : problem.mesh.boundary[facet].vertices) {
       largest = std::max(largest, shape.shift[vertex].norm());
-      if (problem.facets[facet].support == scene::Support::sliding)
+      if (problem.facets[facet].support == scene::Support::sliding) {
         EXPECT_NEAR(shape.shift[vertex].dot(problem.facets[facet].normal), 0, 1e-9);
+      }
     }
   EXPECT_NEAR(largest, 300 * 0.02, 0.1);  // the bush is drawn larger by its interference
 }
