@@ -75,7 +75,8 @@ FunctionalBound certify_functional(const scene::Problem<dim>& problem, const sce
 
   const Enclosure work = perturbing_work<Enclosure, LongSum>(problem, above.supports, above.field, added);
   const Enclosure reactions = perturbing_reactions<Enclosure, LongSum>(problem, below.loads);
-  const Enclosure contact = contact_work<Enclosure, LongSum>(problem, above.supports, above.field, below.loads);
+  const Enclosure contact =
+      contact_work<Enclosure, LongSum>(problem, above.supports, above.field, below.loads, Springs::as_bodies);
   const Enclosure width = above.energy.total + below.energy;
   FunctionalBound bound;
   bound.above = upper(Enclosure(factor) * (work + reactions) + (width + contact) / Enclosure(2));

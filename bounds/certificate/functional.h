@@ -77,14 +77,20 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
   return sum.value();
 }
 
+/// What springs count as: a part of κ, or bodies, whose shares of the width are squares as those of cells are. Of these
+/// κ has but ∫ p (g + s − r), s what they are shortened by.
+enum class Springs { of_law, as_bodies };
+
 /// κ = ∫ [φ(r) + φ*(p) − p r − τ v_t] with the laws' energies from above: without a law ∫ p (g − r(v)), g the upper
 /// gap.
 template <class Number, class Sum>
 Number contact_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
-                    const EdgeLoads<Number>& loads) {
+                    const EdgeLoads<Number>& loads, Springs springs = Springs::of_law) {
   Sum sum;
   for (const auto& pair : problem.contact) {
     const std::vector<Number>& pressure = loads.along_normal[pair.first];
+    const bool bodies = springs == Springs::as_bodies && scene::has_springs(pair.law);
+    if (bodies && pair.law.two_sided) continue;  // s = r − g
     if (!keeps_together(pair.law)) {
       const std::vector<Number> r = approach_on<Number>(problem, supports, field, pair);
       std::vector<Number> left = gap_paid<Number>(problem, supports.contacts, pair, field.degree);
@@ -92,6 +98,11 @@ Number contact_work(const scene::Problem<2>& problem, const Supports& supports, 
       sum.add(scene::bernstein_product(pressure, left));
     }
     if (!has_law(pair.law)) continue;
+    if (bodies) {
+      const auto modulus = law_on<Number>(problem, supports.contacts, pair).modulus;
+      sum.add(scene::bernstein_product(pressure, springs_shortened(problem, supports, field, pair, modulus)));
+      continue;
+    }
     sum.add(law_energy<Number>(problem, supports, field, pair));
     sum.add(compliance_energy(problem, supports.contacts, pair, pressure));
     if (scene::has_friction(pair.law))

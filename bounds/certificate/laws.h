@@ -38,6 +38,16 @@ template <class Number> std::vector<Number> spring_stretch(const std::array<Numb
   return {s.begin(), s.end()};
 }
 
+/// What springs are shortened by in law_energy(): s ≥ r − g, of springs that pull r − g.
+template <class Number>
+std::vector<Number> springs_shortened(const scene::Problem<2>& problem, const Supports& supports,
+                                      const PlainField& field, const scene::ContactFacet& pair,
+                                      const std::array<Number, 2>& modulus) {
+  std::vector<Number> s = penetration<Number>(problem, supports, field, pair);
+  if (!pair.law.two_sided) s = spring_stretch(modulus, std::move(s));
+  return s;
+}
+
 /// |x|, or a number around all that it can be.
 template <class Number> Number absolute(const Number& x) {
   if (certainly_non_negative(x)) return x;
@@ -80,8 +90,7 @@ Number law_energy(const scene::Problem<2>& problem, const Supports& supports, co
            absolute_integral(law.friction, slip_on<Number>(problem, supports, field, pair), scene::halvings_of_slip);
   if (scene::has_springs(pair.law)) {
     const std::vector<Number> k = {law.modulus[0], law.modulus[1]};
-    std::vector<Number> s = penetration<Number>(problem, supports, field, pair);
-    if (!pair.law.two_sided) s = spring_stretch(law.modulus, std::move(s));
+    const std::vector<Number> s = springs_shortened(problem, supports, field, pair, law.modulus);
     sum += law.length / Number(2) * scene::bernstein_product(scene::bernstein_times(k, s), s);
   }
   return sum;

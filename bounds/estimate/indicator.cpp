@@ -10,9 +10,6 @@ namespace bracket::bounds {
 using scene::Vector;
 using scene::Voigt;
 
-namespace {
-
-/// g − r(u_h) by Bernstein coefficients.
 template <int dim>
 std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                              const scene::ContactFacet& pair) {
@@ -21,6 +18,8 @@ std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Di
   for (std::size_t k = 0; k < left.size(); ++k) left[k] -= approach[k];
   return left;
 }
+
+namespace {
 
 /// By how much λ_h n is rounded on each body: see contact_pressure().
 template <int dim>
@@ -130,6 +129,8 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
   return result;
 }
 
+template std::vector<double> gap_left(const scene::Problem<2>&, const scene::Displacement<2>&,
+                                      const scene::ContactFacet&);
 template std::vector<std::vector<double>> contact_pressure(const scene::Problem<2>&, const scene::Stress<2>&);
 template std::vector<ContactState> contact_state(const scene::Problem<2>&, const scene::Displacement<2>&,
                                                  const scene::Stress<2>&);

@@ -66,18 +66,24 @@ double mean_of_size(const std::vector<double>& slip, const std::array<double, 2>
 }
 
 template <int dim>
+std::vector<double> springs_shortened(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                                      const ContactFacet& pair) {
+  std::vector<double> c = jump(problem, displacement, pair, problem.facets[pair.first].normal);
+  const auto gap =
+      scene::raised_to<double>(displacement.degree, std::vector<double>(pair.lower.begin(), pair.lower.end()));
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] -= gap[k];
+  return pair.law.two_sided ? c : scene::shortening({pair.law.modulus[0], pair.law.modulus[1]}, c);
+}
+
+template <int dim>
 double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                   const ContactFacet& pair) {
   const Vector<dim>& d = problem.facets[pair.first].normal;
   const double length = scene::length(problem.mesh, pair.first);
   double energy = 0;
   if (has_springs(pair.law)) {
-    std::vector<double> c = jump(problem, displacement, pair, d);
-    const auto gap =
-        scene::raised_to<double>(displacement.degree, std::vector<double>(pair.lower.begin(), pair.lower.end()));
-    for (std::size_t k = 0; k < c.size(); ++k) c[k] -= gap[k];
     const auto& [k0, k1] = pair.law.modulus;
-    const std::vector<double> s = pair.law.two_sided ? c : scene::shortening({k0, k1}, c);
+    const std::vector<double> s = springs_shortened(problem, displacement, pair);
     energy +=
         0.5 * length * scene::bernstein_product(scene::bernstein_times<double>(s, s), std::vector<double>{k0, k1});
   }
@@ -111,6 +117,8 @@ template std::vector<double> jump(const scene::Problem<2>&, const scene::Displac
                                   const Vector<2>&);
 template ShearAndSlip shear_and_slip(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
                                      const ContactFacet&);
+template std::vector<double> springs_shortened(const scene::Problem<2>&, const scene::Displacement<2>&,
+                                               const ContactFacet&);
 template double law_energy(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&);
 template double law_complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
 template std::vector<char> with_friction(const scene::Problem<2>&);

@@ -54,6 +54,11 @@ template <int dim>
 std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                          const scene::ContactFacet& pair, const scene::Vector<dim>& direction);
 
+/// g − r(u_h) there, likewise, g as S pays for it.
+template <int dim>
+std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                             const scene::ContactFacet& pair);
+
 /// What its law adds to the energies on a contact facet (docs/theory.md §11): ½ ∫ k s² + ∫ g_T |v_t| to L(u_h) and
 /// ½ ∫ C p² to S(λ_h), as upper bounds of φ and φ* as the certificate has them.
 template <int dim>
@@ -62,6 +67,11 @@ double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<
 template <int dim>
 double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                 const scene::ContactFacet& pair);
+
+/// What springs are shortened by there, s ≥ r − g, likewise: of springs that pull r − g.
+template <int dim>
+std::vector<double> springs_shortened(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                                      const scene::ContactFacet& pair);
 
 /// ∫ weight |v|, or more, over a facet's parameter, v by Bernstein coefficients, the weight ≥ 0 linear between its
 /// ends: by the coefficients' sizes, on halves as long as signs are mixed (scene::halvings_of_slip).

@@ -33,7 +33,8 @@ void add_terms(Indicator& sum, const Indicator& energy, const PerturbedPair<dim>
     sum.sum += factor / pair.s * share;
   };
   for (std::size_t c = 0; c < energy.cell.size(); ++c) add(sum.cell[c], energy.cell[c] + pair.of_difference[c]);
-  for (std::size_t j = 0; j < energy.contact.size(); ++j) add(sum.contact[j], 2 * energy.contact[j]);
+  for (std::size_t j = 0; j < energy.contact.size(); ++j)
+    add(sum.contact[j], 2 * energy.contact[j] + pair.of_contact_difference[j]);
 }
 
 /// Takes a bound of J from above (`sign` 1) or of −J (−1) as an end of the quantity's interval.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bounds/estimate/on_mesh.h"
+#include "scene/problem/law.h"
 
 namespace bracket::bounds {
 
@@ -30,7 +31,57 @@ template <int dim> scene::Stress<dim> combined(const scene::Stress<dim>& a, cons
 /// 0: there is nothing to compare with.
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
-template <int dim> PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, PerturbedPair<dim> pair) {
+using Coefficients = std::vector<double>;
+
+Coefficients combined(Coefficients a, const Coefficients& b, double sign) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = 0.5 * (a[i] + sign * b[i]);
+  return a;
+}
+
+/// ½ ∫ (k s² + C p² − 2 p s) ≥ 0 over a contact facet: what springs shortened by s under p have of a width.
+template <int dim>
+double springs_square(const scene::Problem<dim>& problem, const scene::ContactFacet& pair, const Coefficients& s,
+                      const Coefficients& p) {
+  const auto& [k0, k1] = pair.law.modulus;
+  const auto c = scene::compliance_on<double>(k0, k1);
+  return scene::length(problem.mesh, pair.first) *
+         (0.5 * scene::bernstein_product(scene::bernstein_times<double>(s, s), Coefficients{k0, k1}) +
+          0.5 * scene::bernstein_product(scene::bernstein_times<double>(p, p), Coefficients(c.begin(), c.end())) -
+          scene::bernstein_product(p, s));
+}
+
+/// Adds the contact facets' shares of A and B. Springs are bodies: s of the means is the mean of the two, as s ≥ r − g
+/// of both is that of the mean.   \param contact shares of κ of the means   \param of the two perturbed problems
+template <int dim>
+void add_contact(const scene::Problem<dim>& problem, const std::array<scene::Problem<dim>, 2>& of,
+                 const std::vector<double>& contact, PerturbedPair<dim>& pair) {
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const scene::ContactFacet& facet = problem.contact[j];
+    double of_difference = 0;
+    if (scene::has_springs(facet.law)) {
+      std::array<Coefficients, 2> s, p, left;
+      for (int i = 0; i < 2; ++i) {
+        s[i] = springs_shortened(of[i], pair.displacement[i], of[i].contact[j]);
+        p[i] = plain_pressure(of[i], pair.stress[i], of[i].contact[j]);
+        left[i] = gap_left(of[i], pair.displacement[i], of[i].contact[j]);
+        for (std::size_t k = 0; k < s[i].size(); ++k) left[i][k] += s[i][k];
+      }
+      const Coefficients mean = combined(p[0], p[1], 1);
+      pair.of_means +=
+          springs_square(problem, facet, combined(s[0], s[1], 1), mean) +
+          2 * scene::length(problem.mesh, facet.first) * scene::bernstein_product(mean, combined(left[0], left[1], 1));
+      of_difference = springs_square(problem, facet, combined(s[0], s[1], -1), combined(p[0], p[1], -1));
+    } else {
+      pair.of_means += 2 * contact[j];
+    }
+    pair.of_differences += of_difference;
+    pair.of_contact_difference.push_back(of_difference);
+  }
+}
+
+template <int dim>
+PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, const std::array<scene::Problem<dim>, 2>& perturbed,
+                              PerturbedPair<dim> pair) {
   const auto& [v1, v2] = pair.displacement;
   const auto& [l1, l2] = pair.stress;
   struct Sized {
@@ -55,7 +106,7 @@ template <int dim> PerturbedPair<dim> with_width(const scene::Problem<dim>& prob
     pair.of_means += means.cell[c];
     pair.of_differences += differences.cell[c];
   }
-  for (const double share : means.contact) pair.of_means += 2 * share;
+  add_contact(problem, perturbed, means.contact, pair);
   pair.of_difference = differences.cell;
   pair.width = (pair.of_means + pair.of_differences) / pair.s;
   return pair;
@@ -69,12 +120,12 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
                         const std::array<Closed, 2>& closed) {
   std::array<primal::Result<dim>, 2> displacements;
   std::array<dual::Result<dim>, 2> stresses;
+  const std::array<scene::Problem<dim>, 2> perturbed = {scene::perturbed(problem, by, s, -s),
+                                                        scene::perturbed(problem, by, -s, s)};
   const auto solve = [&](int i) {
-    const double sign = i == 0 ? 1 : -1;
-    const scene::Problem<dim> perturbed = scene::perturbed(problem, by, sign * s, -sign * s);
-    stresses[i] = solvers.stresses->solve(perturbed, closed[i].dual);
+    stresses[i] = solvers.stresses->solve(perturbed[i], closed[i].dual);
     try {
-      displacements[i] = solvers.displacements->solve(perturbed, closed[i].primal);
+      displacements[i] = solvers.displacements->solve(perturbed[i], closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
       displacements[i].reason = error.what();
     }
@@ -93,7 +144,7 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
     pair.stress[i] = std::move(stresses[i].stress);
     pair.closed[i] = {std::move(displacements[i].closed), std::move(stresses[i].closed)};
   }
-  attempt.pair = with_width(problem, std::move(pair));
+  attempt.pair = with_width(problem, perturbed, std::move(pair));
   return attempt;
 }
 

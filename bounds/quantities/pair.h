@@ -28,11 +28,13 @@ template <int dim> struct PerturbedPair {
   std::array<scene::Stress<dim>, 2> stress = {};
   std::array<Closed, 2> closed = {};
   /// The width of the interval for J, a sum of squares over cells and contact facets: (1/s) (A + B) with
-  /// A = ½‖σ(v̄) − λ̄‖² + 2 ∫ p̄ (g − r(v̄)) of the means, B the same of the half differences, without contact.
+  /// A = ½‖σ(v̄) − λ̄‖² + 2 ∫ p̄ (g − r(v̄)) of the means, B the same of the half differences, without contact. Springs
+  /// count as cells do.
   double width = 0;
-  std::vector<double> of_difference = {};   ///< the cells' shares of B
-  double of_means = 0, of_differences = 0;  ///< A, B
-  double rounding = 0;                      ///< of the energies of the two, as far as it comes from s
+  std::vector<double> of_difference = {};          ///< the cells' shares of B
+  std::vector<double> of_contact_difference = {};  ///< the contact facets': of springs
+  double of_means = 0, of_differences = 0;         ///< A, B
+  double rounding = 0;                             ///< of the energies of the two, as far as it comes from s
   /// The largest displacement or stress of the half differences by that of the means: how large s is.
   double strength = 0;
 };
