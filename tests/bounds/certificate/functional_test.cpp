@@ -75,8 +75,8 @@ struct Posed {
   scene::Problem<2> perturbed() const { return scene::perturbed(problem, by, f, f); }
 };
 
-/// L(v) + S(λ) − ¼ ‖σ(v) − λ‖² with the data without the perturbation: what bounds f J, by docs/theory.md §10, as the
-/// theorem has it; the certificate evaluates another form of it.
+/// L(v) + S(λ) − ¼ ‖σ(v) − λ‖², springs being bodies, with the data without the perturbation: what bounds f J, by
+/// docs/theory.md §10, as the theorem has it; the certificate evaluates another form of it.
 Exact bound_by_definition(const Posed& posed, const Judged& exact, const ExactDisplacement& unperturbed) {
   const scene::Problem<2> perturbed = posed.perturbed();
   scene::Problem<2> own_gaps = perturbed;
@@ -87,7 +87,9 @@ Exact bound_by_definition(const Posed& posed, const Judged& exact, const ExactDi
   const Exact s = complementary_energy(own_gaps, exact.stress, unperturbed) +
                   law_complementary_energy(perturbed, exact.stress).lower;
   const Exact contact = contact_term(perturbed, exact.stress, exact.displacement);
-  return l + s - half * (distance(perturbed, exact.stress, exact.displacement) - contact);
+  return l + s -
+         half * (distance(perturbed, exact.stress, exact.displacement) - contact +
+                 springs_misfit(perturbed, exact.stress, exact.displacement));
 }
 
 /// Those that a scene has bounds of. \param on_finer also on a mesh that refinement made, where data are cut

@@ -52,6 +52,8 @@ struct Around {
 Around law_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
 /// What they add to S: ½ ∫ p²/k, by tangents and chords of 1/k.
 Around law_complementary_energy(const scene::Problem<2>& problem, const ExactStress& stress);
+/// ½ ∫ (k s − p)²/k, s what springs are shortened by: their share of ½ ‖σ(u) − λ‖² as bodies, from above.
+Exact springs_misfit(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u);
 /// ½ A(u, u)
 Exact strain_energy(const scene::Problem<2>& problem, const ExactDisplacement& displacement);
 /// ½ ‖σ(u) − λ‖²_{C⁻¹} on each cell.

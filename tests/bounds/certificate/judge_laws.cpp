@@ -29,6 +29,15 @@ Around square_integral(const Polynomial& k, const Polynomial& c, int halvings) {
   return {mixed ? Exact(0) : (k * c * c).mean(), (k * size * size).mean()};
 }
 
+/// ∫ p (c)₊, p ≥ 0, likewise, from below.
+Exact positive_product(const Polynomial& p, const Polynomial& c, int halvings) {
+  if (!c.has_positive()) return {};
+  if (!(Exact(-1) * c).has_positive()) return (p * c).mean();
+  if (halvings == 0) return {};
+  return half * (positive_product(p.half_of_segment(0), c.half_of_segment(0), halvings - 1) +
+                 positive_product(p.half_of_segment(1), c.half_of_segment(1), halvings - 1));
+}
+
 /// ∫ p² / k: 1/k lies between its tangent in the middle and its chord.
 Around divided_integral(const Polynomial& k, const Polynomial& p, int halvings) {
   const Exact k0 = k.at_end(0), k1 = k.at_end(1);
@@ -67,6 +76,20 @@ Around law_complementary_energy(const scene::Problem<2>& problem, const ExactStr
     if (scene::has_springs(pair.law))
       sum = sum + half / length_of(problem, pair) *
                       divided_integral(linear_on(pair.law.modulus), pressure(problem, stress, pair), halvings);
+  return sum;
+}
+
+Exact springs_misfit(const scene::Problem<2>& problem, const ExactStress& stress, const ExactDisplacement& u) {
+  scene::Problem<2> one = problem;
+  Exact sum;
+  for (const auto& pair : problem.contact) {
+    if (!scene::has_springs(pair.law)) continue;
+    one.contact = {pair};
+    const Polynomial c = approach(problem, u, pair) - (pair.law.two_sided ? gap(problem, pair) : gap_of(pair.upper));
+    const Polynomial p = pressure(problem, stress, pair);
+    sum += law_energy(one, u).upper + law_complementary_energy(one, stress).upper -
+           (pair.law.two_sided ? (p * c).mean() : positive_product(p, c, 10));
+  }
   return sum;
 }
 
