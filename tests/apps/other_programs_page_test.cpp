@@ -17,7 +17,11 @@ class OtherProgramsPage : public Command {
     shell("mkdir -p docs apps/scenes tests; cp -r '" BRACKET_FIELDS "' tests; cp -r '" BRACKET_DOCS
           "/other-programs' docs; cp '" BRACKET_DOCS "/../apps/scenes/two_blocks.toml' apps/scenes");
   }
-  bool installed(const std::string& program) const { return shell("command -v " + program).status == 0; }
+  /// FreeFem++ with its plugin for Gmsh, which is a package of its own.
+  bool installed(const std::string& program) const {
+    const std::string found = "command -v " + program;
+    return shell(program == "FreeFem++-nw" ? found + " && ls /usr/lib/freefem++/gmsh.so" : found).status == 0;
+  }
 };
 
 /// On the mesh that the page has them computed on.
