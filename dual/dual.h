@@ -58,6 +58,7 @@ Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vec
 /// not_converged, the latter also where no pressure balances the loads or the time is spent.
 /// \param particular λ̄ [HH81, §2]: linear on the parts of each cell, tractions continuous, div λ̄ = −F, λ̄n = P on
 ///     Γ_τ, no shear on Γ_0 and Γ_K, one pressure for both sides of Γ_K, which may be a tension (Remark 2.1)
+/// \throw std::invalid_argument where contact has another law than to be frictionless
 /// \param time_is_spent asked now and then; empty: it never is
 template <int dim>
 Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& particular,

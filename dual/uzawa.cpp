@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "contact/clock.h"
@@ -93,6 +94,10 @@ Result<dim> uzawa(const scene::Problem<dim>& problem, const scene::Stress<dim>& 
   const Clock assembling;
   Result<dim> result;
   contact::Statistics& statistics = result.statistics;
+  if (std::ranges::any_of(problem.contact, [](const scene::ContactFacet& pair) {
+        return pair.law.two_sided || has_springs(pair.law) || has_friction(pair.law);
+      }))
+    throw std::invalid_argument("dual::uzawa: it knows frictionless contact only");
   const Layout layout = lay_out(problem, 1);
   const std::vector<Cell<1>> cells = make_cells<1>(problem, layout);
   const UzawaSystem system = uzawa_system(problem, layout, cells, particular);

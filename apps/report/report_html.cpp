@@ -70,7 +70,7 @@ std::string scope(const Report& report) {
   const scene::Oscillation& data = report.outcome.problem.oscillation;
   const double moved = std::max({data.traction, data.displacement, data.gap});
   const bool exact = moved < 1e-13;
-  const std::string sampled = report.outcome.guarantee == "discretisation"
+  const std::string sampled = report.outcome.guarantee != "none" && report.outcome.problem.sampled
                                   ? "<li>Some functions are known at points only; what they do between those is not "
                                     "seen.</li>\n"
                                   : "";

@@ -31,7 +31,7 @@ std::string explanation(const Report& report) {
       report.outcome.guarantee == "tresca-step" ? "Exact are those of friction up to the last step's bound; Coulomb's "
                                                   "own law has\nno energy, and no bounds.\n"
                                                 : "");
-  if (report.outcome.guarantee == "discretisation")
+  if (report.outcome.problem.sampled)
     text += "Some functions are known at points only; what they do between is not in it.\n";
   if (report.outcome.levels.size() > 1)
     text += report.outcome.guarantee == "tresca-step" ? "The interval is that of the last level's friction bound.\n"
@@ -132,7 +132,7 @@ std::string what_else(const Report& report) {
   // To first order the energy moves by twice the part by which the loads do.
   if (2 * changed > relative_width(outcome))
     text += fmt::format("! loads changed by {} to balance\n", rounded_up_exponent(changed));
-  if (outcome.guarantee == "discretisation") text += "! for data that were sampled\n";
+  if (outcome.guarantee != "none" && outcome.problem.sampled) text += "! for data that were sampled\n";
   const bounds::Level& last = outcome.levels.back();
   if (last.oscillation_energy > outcome.upper - outcome.lower)
     text += fmt::format("! for the data of '{}' as the first mesh has them, which is {} off\n", last.oscillation_part,

@@ -85,10 +85,13 @@ std::string certainty(const Report& report) {
   const std::string sure =
       "the exact value of the mathematical model lies in each interval marked ●, for sure: discretisation, iteration "
       "and rounding are all inside";
-  if (report.outcome.guarantee == "tresca-step")
-    return sure + "; but of friction up to the bound of the last step, for Coulomb's law has no energy";
-  if (report.outcome.guarantee != "discretisation") return sure;
-  return sure + "; but some functions are known at points only, and what they do between is not";
+  const std::string step = report.outcome.guarantee == "tresca-step"
+                               ? "; but of friction up to the bound of the last step, for Coulomb's law has no energy"
+                               : "";
+  const std::string sampled = report.outcome.problem.sampled
+                                  ? "; but some functions are known at points only, and what they do between is not"
+                                  : "";
+  return sure + step + sampled;
 }
 
 std::vector<Line> costs(const Report& report) {

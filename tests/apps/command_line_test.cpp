@@ -118,10 +118,10 @@ TEST_F(CommandLine, OverridesChangeTheScene) {
 TEST_F(CommandLine, CheckTellsWhatItUnderstoodAndWritesNothing) {
   const Ended ended = shell("bracket check scene.toml");
   EXPECT_EQ(ended.status, 0) << ended.err;
-  for (const char* part :
-       {"body lower: 32 cells, area 1 mm²", "lower.bottom: 4 edges, length 1 mm: fixed",
-        "upper.right: 4 edges, length 1 mm: free", "upper.bottom on lower.top, without friction: 4 edges; gap 0 to 0 mm\n",
-        "areas 0.0312 to 0.0312 mm²", "solvable"})
+  for (const char* part : {"body lower: 32 cells, area 1 mm²", "lower.bottom: 4 edges, length 1 mm: fixed",
+                           "upper.right: 4 edges, length 1 mm: free",
+                           "upper.bottom on lower.top, without friction: 4 edges; gap 0 to 0 mm\n",
+                           "areas 0.0312 to 0.0312 mm²", "solvable"})
     EXPECT_NE(ended.out.find(part), std::string::npos) << ended.out;
   EXPECT_EQ(shell("ls").out, "scene.toml\n");
 }

@@ -8,6 +8,7 @@
 
 #include "bounds/bounds.h"
 #include "bounds/results.h"
+#include "dual/dual.h"
 #include "tests/laws/pairs.h"
 
 namespace bracket::tests {
@@ -135,6 +136,7 @@ TEST(Coulomb, OfNoneIsFrictionless) {
 }
 
 TEST(Coulomb, IsRefusedWhereItHasNoMeaning) {
+  EXPECT_THROW(dual::uzawa(problem(pushed(0.4)), {}), std::invalid_argument);
   Scene<2> s = pushed(0.4);
   s.solve.degree = 3;
   EXPECT_THROW(bounds::run(s), scene::Error);
