@@ -35,7 +35,7 @@ def add(files, path, config):
 
 
 def on_files(files, config):
-    for file in [file for file in files if file.src_uri.startswith("site/") or file.src_uri == "verification/head.md"]:
+    for file in [file for file in files if file.src_uri.startswith("site/") or file.src_uri.endswith("/head.md")]:
         files.remove(file)  # not pages by themselves
     for path in PAGES:
         add(files, path, config)
