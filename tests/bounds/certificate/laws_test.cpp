@@ -19,12 +19,20 @@ void expect_certificate(const scene::Problem<2>& problem, const Fields& fields) 
   expect_holds_exactly(problem, certificate, judged(problem, fields.displacement, fields.stress));
 }
 
+/// Exact arithmetic is slow where addresses are looked at: there one in four scenes goes the same ways. Release has
+/// all.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int one_in = 4;
+#else
+constexpr int one_in = 1;
+#endif
+
 /// All laws on scenes of their own, where they can be had, with what the solvers make of them.
 template <class Check> void for_all_laws(const Check& check) {
-  int checked = 0;
+  int seen = 0, checked = 0;
   for (const tests::Case& c : tests::cases())
     for (const GivenLaw& law : laws()) {
-      if (c.scene.contact.empty() || c.disturb > 0) continue;
+      if (c.scene.contact.empty() || c.disturb > 0 || ++seen % one_in != 0) continue;
       const int degree = 1 + checked % 4;
       SCOPED_TRACE(testing::Message() << c.name << ", " << law.name << ", degree " << degree);
       tests::Case changed = c;
@@ -38,7 +46,7 @@ template <class Check> void for_all_laws(const Check& check) {
       } catch (const std::domain_error&) {  // a side whose length is irrational
       }
     }
-  EXPECT_GT(checked, 90);
+  EXPECT_GT(checked, 90 / one_in);
 }
 
 TEST(CertificateOfLaws, holds_exactly_for_solutions) { for_all_laws(expect_certificate); }
@@ -54,7 +62,7 @@ TEST(CertificateOfLaws, holds_exactly_whatever_the_fields) {
     ++certified;
     expect_holds_exactly(problem, certificate, judged(problem, u, stress));
   });
-  EXPECT_GT(certified, 70);
+  EXPECT_GT(certified, 70 / one_in);
 }
 
 /// Two bodies over a wall, along axes or inclined, with any law between each two; what supports and loads there are by
