@@ -24,12 +24,15 @@ template <int dim> struct Mesh {
   std::vector<std::array<int, 2>> edges;                           ///< vertices, the lower index first
   std::vector<std::array<int, Simplex<dim>::n_edges>> cell_edges;  ///< in the order of Simplex::edges
   std::vector<char> refinement_edge;  ///< of each cell: which of its edges bisection cuts first
+  /// Of each cell the numbers of its facets; empty in the plane, where they are those of the edges. See cell_facets().
+  std::vector<std::array<int, dim + 1>> facet_numbers;
+  int facet_count = 0;  ///< in space: how many facets there are
 
   struct Facet {
     std::array<int, dim> vertices;  ///< in the order of Simplex::facets: in the plane the body is left
     int cell;
     int local;  ///< which facet of the cell
-    int edge;   ///< index into `edges`: the midpoint on the facet
+    int edge;   ///< in the plane, index into `edges`: the midpoint on the facet
     int part;   ///< index into `parts`, −1: none (such a facet is free)
   };
   std::vector<Facet> boundary;     ///< every facet that has a cell on one side only
@@ -43,18 +46,29 @@ template <int dim> struct Mesh {
 /// The facets of a cell, in the order of Simplex::facets, as numbers below n_facets(). Two cells that lie on each other
 /// share one. In the plane they have the numbers of the edges.
 template <int dim> const std::array<int, dim + 1>& cell_facets(const Mesh<dim>& mesh, int cell) {
-  static_assert(dim == 2);
-  return mesh.cell_edges[cell];
+  if constexpr (dim == 2) return mesh.cell_edges[cell];
+  if constexpr (dim == 3) return mesh.facet_numbers[cell];
 }
 template <int dim> std::size_t n_facets(const Mesh<dim>& mesh) {
-  static_assert(dim == 2);
-  return mesh.edges.size();
+  return dim == 2 ? mesh.edges.size() : static_cast<std::size_t>(mesh.facet_count);
 }
 /// The vertices of facet `local` of a cell, in the order of Simplex::facets.
 template <int dim> std::array<int, std::size_t{dim}> facet_vertices(const Mesh<dim>& mesh, int cell, int local) {
   std::array<int, dim> vertices;
   for (int i = 0; i < dim; ++i) vertices[i] = mesh.cells[cell][Simplex<dim>::facets[local][i]];
   return vertices;
+}
+/// The edges of a boundary facet, as indices into Mesh::edges, in the order of Simplex<dim − 1>::edges for its
+/// vertices.
+template <int dim>
+std::array<int, Simplex<dim - 1>::n_edges> facet_edges(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& facet) {
+  std::array<int, Simplex<dim - 1>::n_edges> result;
+  for (std::size_t e = 0; e < result.size(); ++e) {
+    const auto& [i, k] = Simplex<dim - 1>::edges[e];
+    const auto& corners = Simplex<dim>::facets[facet.local];
+    result[e] = mesh.cell_edges[facet.cell][Simplex<dim>::edge_between(corners[i], corners[k])];
+  }
+  return result;
 }
 /// The positions of vertices.
 template <int dim, std::size_t n>

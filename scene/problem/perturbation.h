@@ -17,6 +17,10 @@ template <int dim, class Value> std::array<Value, dim> at_vertices(const Value& 
   return result;
 }
 
+/// The Bernstein coefficients of a quadratic on a facet: in the plane from its vertex 0 to its vertex 1; in space those
+/// of the three vertices, then those of the edges, as Simplex<2>::edges has them.
+template <int dim> using FacetQuadratic = std::array<double, (dim * (dim + 1)) / 2>;
+
 /// A vector each of whose components is the exact sum of two doubles: a difference of two points is one.
 template <int dim> struct TwofoldVector {
   Vector<dim> value = Vector<dim>::Zero();
@@ -40,9 +44,9 @@ template <int dim> struct Perturbation {
     std::array<double, dim> normal_displacement = at_vertices<dim>(0.0);  ///< on Γ_0 in addition
     bool operator==(const Facet&) const = default;
   };
-  /// On a contact facet, from vertex 0 of the first facet to its vertex 1.
+  /// On a contact facet, seen from the first one.
   struct Contact {
-    std::array<double, 3> gap = {0, 0, 0};  ///< of ψ, Bernstein coefficients; in addition to it …
+    FacetQuadratic<dim> gap = {};  ///< of ψ; in addition to it …
     std::array<TwofoldVector<dim>, dim> first = at_vertices<dim>(TwofoldVector<dim>{});  ///< … U·d of the first side
     std::array<TwofoldVector<dim>, dim> second = at_vertices<dim>(TwofoldVector<dim>{});  ///< less that of the second
     /// Forces per area along d on the first side, the opposite on the second: they do the work of r.

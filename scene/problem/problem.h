@@ -42,6 +42,13 @@ template <int dim> struct FacetData {
 /// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_K in a perturbed problem.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
 
+/// The last vertex of a facet first.
+template <int dim> constexpr std::array<int, std::size_t{dim}> backwards() {
+  std::array<int, dim> result{};
+  for (int i = 0; i < dim; ++i) result[i] = dim - 1 - i;
+  return result;
+}
+
 /// What the sides of a contact facet do to each other (docs/theory.md §11): by default they press and slide freely.
 /// Values are those at vertices 0 and 1 of the first facet, linear between.
 struct FacetLaw {
@@ -57,19 +64,21 @@ inline bool has_springs(const FacetLaw& law) { return law.modulus[0] > 0; }
 /// Whether there may be shear; where `friction` is zero at both vertices, of a step of Coulomb's, there is none.
 inline bool has_friction(const FacetLaw& law) { return law.friction[0] > 0 || law.friction[1] > 0 || law.coulomb > 0; }
 
-/// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way, so
-/// that vertex 0 of the first lies on vertex 1 of the second, with the same coordinates to the last bit.
-struct ContactFacet {
+/// One facet of a contact pair and what it touches. The facets of a pair coincide; the second runs the other way. Where
+/// vertices of the two lie on each other they have the same coordinates to the last bit.
+template <int dim> struct ContactFacetOf {
   int pair;    ///< index into Scene::contact
   int first;   ///< index into Mesh::boundary; its FacetData::normal is d
   int second;  ///< likewise, its normal is −d; −1: a rigid wall
-  /// Bernstein coefficients of two quadratics, from vertex 0 of the first facet to its vertex 1, between which the gap
-  /// lies: displacements keep to the lower, the lower bound pays for the upper. They differ by rounding only where the
-  /// gap is a parabola on the facet of the first mesh.
-  std::array<double, 3> lower, upper;
-  FacetLaw law = {};
+  /// Of two quadratics between which the gap lies: displacements keep to the lower, the lower bound pays for the upper.
+  /// They differ by rounding only where the gap is a quadratic on the facet of the first mesh.
+  FacetQuadratic<dim> lower, upper;
+  FacetLaw law = {};  ///< in space only `two_sided` counts
+  /// Which vertex of the second facet lies on vertex i of the first; in the plane always 1 and 0.
+  std::array<int, dim> meets = backwards<dim>();
 };
-/// The value of a quadratic with these Bernstein coefficients at the middle of its facet.
+using ContactFacet = ContactFacetOf<2>;
+/// Planar: the value of a quadratic with these Bernstein coefficients at the middle of its facet.
 inline double at_middle(const std::array<double, 3>& gap) { return 0.5 * (gap[1] + 0.5 * (gap[0] + gap[2])); }
 
 /// A gap that is no quadratic on a facet of the first mesh: each mesh encloses it anew.
@@ -126,7 +135,7 @@ template <int dim> struct Problem {
   Mesh<dim> mesh;
   std::vector<Body<dim>> bodies;       ///< as Mesh::bodies
   std::vector<FacetData<dim>> facets;  ///< as Mesh::boundary
-  std::vector<ContactFacet> contact;
+  std::vector<ContactFacetOf<dim>> contact;
   std::vector<GivenGap<dim>> gaps;  ///< of each contact facet of the first mesh; empty: all are quadratics
   bool sampled = false;             ///< some function is known at points only: between them the data are a guess
   Oscillation oscillation;
