@@ -5,112 +5,144 @@
 
 #include "scene/mesh/simplex.h"
 
-/// The block element of tetrahedra in closed form (docs/theory.md §12): from the loads on its faces, linear on each,
-/// the one stress that is linear on the four parts of the cell, symmetric, with continuous tractions inside, div λ =
-/// −F, and has them. Over any kind of number.
+/// The block element in closed form (docs/theory.md §12): from the loads on the facets of a triangle or tetrahedron,
+/// linear on each, the one stress that is linear on the parts of the cell, symmetric, with continuous tractions inside,
+/// div λ = −F, and has them. Over any kind of number.
 namespace bracket::scene {
 
-template <class Number> using Vector3Of = std::array<Number, 3>;
-/// A symmetric tensor, in the order of Simplex<3>::voigt.
-template <class Number> using TensorOf = std::array<Number, 6>;
+template <int dim, class Number> using VectorOf = std::array<Number, dim>;
+/// A symmetric tensor, in the order of Simplex::voigt.
+template <int dim, class Number> using TensorOf = std::array<Number, n_voigt<dim>>;
 
-/// [i][k]: load density times area at vertex Simplex<3>::facets[i][k] of facet i, from outside on the cell.
-template <class Number> using FaceLoads = std::array<std::array<Vector3Of<Number>, 3>, 4>;
+/// [i][k]: load density times length or area at vertex Simplex::facets[i][k] of facet i, from outside on the cell.
+template <int dim, class Number> using FacetLoads = std::array<std::array<VectorOf<dim, Number>, dim>, dim + 1>;
 
-/// [i][k]: the stress of part i at the vertices of its facet i, as Simplex<3>::facets has them, and, k = 3, at the
-/// centroid: Stress<3>::cell.
-template <class Number> using BlockStress3 = std::array<std::array<TensorOf<Number>, 4>, 4>;
+/// [i][k]: the stress of part i at the vertices of its facet i, as Simplex::facets has them, and, k = dim, at the
+/// centroid: Stress::cell.
+template <int dim, class Number> using BalancedStress = std::array<std::array<TensorOf<dim, Number>, dim + 1>, dim + 1>;
 
 /// What is the same for all loads on a cell.
-template <class Number> struct BlockGeometry {
-  std::array<Vector3Of<Number>, 4> x;         ///< its vertices, from any origin
-  std::array<Vector3Of<Number>, 4> gradient;  ///< G_i of the hat functions
-  Number volume6;                             ///< six times its volume, positive
+template <int dim, class Number> struct BlockGeometry {
+  std::array<VectorOf<dim, Number>, dim + 1> x;         ///< its vertices, from any origin
+  std::array<VectorOf<dim, Number>, dim + 1> gradient;  ///< G_i of the hat functions
+  Number scaled_volume;                                 ///< dim! times its volume, positive
 };
 
 namespace block {
-template <class Number> Vector3Of<Number> minus(const Vector3Of<Number>& a, const Vector3Of<Number>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+template <int dim, class Number>
+VectorOf<dim, Number> minus(const VectorOf<dim, Number>& a, const VectorOf<dim, Number>& b) {
+  VectorOf<dim, Number> result;
+  for (int k = 0; k < dim; ++k) result[k] = a[k] - b[k];
+  return result;
 }
-template <class Number> Number dot(const Vector3Of<Number>& a, const Vector3Of<Number>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+template <int dim, class Number> Number dot(const VectorOf<dim, Number>& a, const VectorOf<dim, Number>& b) {
+  Number sum = a[0] * b[0];
+  for (int k = 1; k < dim; ++k) sum += a[k] * b[k];
+  return sum;
 }
-template <class Number> Vector3Of<Number> cross(const Vector3Of<Number>& a, const Vector3Of<Number>& b) {
+template <class Number> VectorOf<3, Number> cross(const VectorOf<3, Number>& a, const VectorOf<3, Number>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 /// t v
-template <class Number> Vector3Of<Number> times(const TensorOf<Number>& t, const Vector3Of<Number>& v) {
-  return {t[0] * v[0] + t[5] * v[1] + t[4] * v[2], t[5] * v[0] + t[1] * v[1] + t[3] * v[2],
-          t[4] * v[0] + t[3] * v[1] + t[2] * v[2]};
+template <int dim, class Number>
+VectorOf<dim, Number> times(const TensorOf<dim, Number>& t, const VectorOf<dim, Number>& v) {
+  VectorOf<dim, Number> result;
+  for (int i = 0; i < dim; ++i) result[i] = t[i] * v[i];
+  for (int k = dim; k < n_voigt<dim>; ++k) {
+    const auto [i, j] = Simplex<dim>::voigt[k];
+    result[i] += t[k] * v[j];
+    result[j] += t[k] * v[i];
+  }
+  return result;
 }
-/// s (a ⊗ b + b ⊗ a) / 2 added to t, twice that where a = b is meant: a ⊗ b is symmetric by itself then.
-template <class Number>
-void add(TensorOf<Number>& t, const Number& s, const Vector3Of<Number>& a, const Vector3Of<Number>& b) {
-  for (int k = 0; k < 6; ++k) {
-    const auto [i, j] = Simplex<3>::voigt[k];
+/// Adds s (a ⊗ b + b ⊗ a).
+template <int dim, class Number>
+void add(TensorOf<dim, Number>& t, const Number& s, const VectorOf<dim, Number>& a, const VectorOf<dim, Number>& b) {
+  for (int k = 0; k < n_voigt<dim>; ++k) {
+    const auto [i, j] = Simplex<dim>::voigt[k];
     t[k] += s * (a[i] * b[j] + a[j] * b[i]);
   }
 }
+/// Where vertex `corner` of the cell is among those of facet i.
+template <int dim> constexpr int place_on_facet(int i, int corner) {
+  const auto& corners = Simplex<dim>::facets[i];
+  return static_cast<int>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
+}
 }  // namespace block
 
-template <class Number> BlockGeometry<Number> block_geometry(const std::array<Vector3Of<Number>, 4>& x) {
-  BlockGeometry<Number> result{x, {}, Number(0)};
-  const auto a = block::minus(x[1], x[0]), b = block::minus(x[2], x[0]), c = block::minus(x[3], x[0]);
-  std::array<Vector3Of<Number>, 4> normal = {};  // 6 |K| G_i
-  normal[1] = block::cross(b, c);
-  normal[2] = block::cross(c, a);
-  normal[3] = block::cross(a, b);
-  result.volume6 = block::dot(a, normal[1]);
-  for (int k = 0; k < 3; ++k) normal[0][k] = -(normal[1][k] + normal[2][k] + normal[3][k]);
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 3; ++k) result.gradient[i][k] = normal[i][k] / result.volume6;
+/// \param x in an order as Simplex has it
+template <int dim, class Number>
+BlockGeometry<dim, Number> block_geometry(const std::array<VectorOf<dim, Number>, dim + 1>& x) {
+  BlockGeometry<dim, Number> result{x, {}, Number(0)};
+  std::array<VectorOf<dim, Number>, dim + 1> normal;  // dim! |K| G_i
+  const auto a = block::minus<dim>(x[1], x[0]), b = block::minus<dim>(x[2], x[0]);
+  if constexpr (dim == 2) {
+    normal[1] = {b[1], -b[0]};
+    normal[2] = {-a[1], a[0]};
+  } else {
+    const auto c = block::minus<dim>(x[3], x[0]);
+    normal[1] = block::cross(b, c);
+    normal[2] = block::cross(c, a);
+    normal[3] = block::cross(a, b);
+  }
+  result.scaled_volume = block::dot<dim>(a, normal[1]);
+  for (int k = 0; k < dim; ++k) {
+    Number sum = normal[1][k];
+    for (int i = 2; i <= dim; ++i) sum += normal[i][k];
+    normal[0][k] = -sum;
+  }
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k < dim; ++k) result.gradient[i][k] = normal[i][k] / result.scaled_volume;
   return result;
 }
 
 /// \param force F, per volume
 /// \return the stress; where loads and F are not in balance λ(c) is the symmetric part of the closed form's
-template <class Number>
-BlockStress3<Number> block_stress(const BlockGeometry<Number>& cell, const FaceLoads<Number>& load,
-                                  const Vector3Of<Number>& force) {
+template <int dim, class Number>
+BalancedStress<dim, Number> balanced_stress(const BlockGeometry<dim, Number>& cell, const FacetLoads<dim, Number>& load,
+                                            const VectorOf<dim, Number>& force) {
+  using Tensor = TensorOf<dim, Number>;
   const auto& G = cell.gradient;
-  const Number half = Number(1) / Number(2), quarter = Number(1) / Number(4);
-  BlockStress3<Number> stress;
-  std::array<Vector3Of<Number>, 4> w;
-  for (int i = 0; i < 4; ++i)
-    for (int c = 0; c < 3; ++c) w[i][c] = -force[c];
-  for (int j = 0; j < 4; ++j) {
-    const auto& others = Simplex<3>::facets[j];
-    // s[a][b] = G_b · T_a(V_j), T_a = −f_a / (3 |K|), of the three facets at V_j.
-    std::array<std::array<Number, 3>, 3> s;
-    std::array<Vector3Of<Number>, 3> e;
-    for (int a = 0; a < 3; ++a) {
-      const auto& corners = Simplex<3>::facets[others[a]];
-      const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), j) - corners.begin());
-      for (int b = 0; b < 3; ++b)
-        s[a][b] = -((Number(2) / cell.volume6) * block::dot(G[others[b]], load[others[a]][at]));
-      e[a] = block::minus(cell.x[others[a]], cell.x[j]);
+  const Number half = Number(1) / Number(2);
+  BalancedStress<dim, Number> stress;
+  std::array<VectorOf<dim, Number>, dim + 1> w;
+  for (auto& of_part : w)
+    for (int c = 0; c < dim; ++c) of_part[c] = -force[c];
+  // T_a = −f_a / (dim |K|)
+  const Number by_load = Number(dim == 2 ? -1 : -2) / cell.scaled_volume;
+  for (int j = 0; j <= dim; ++j) {
+    const auto& others = Simplex<dim>::facets[j];
+    std::array<std::array<Number, dim>, dim> s;  // s[a][b] = G_b · T_a(V_j), T_a of the facets at V_j
+    std::array<VectorOf<dim, Number>, dim> e;
+    for (int a = 0; a < dim; ++a) {
+      const auto& f = load[others[a]][block::place_on_facet<dim>(others[a], j)];
+      for (int b = 0; b < dim; ++b) s[a][b] = by_load * block::dot<dim>(G[others[b]], f);
+      e[a] = block::minus<dim>(cell.x[others[a]], cell.x[j]);
     }
-    for (int a = 0; a < 3; ++a) {  // part i = others[a]
-      const int b = (a + 1) % 3, c = (a + 2) % 3;
-      TensorOf<Number> t;
+    for (int a = 0; a < dim; ++a) {  // the part at facet others[a]
+      Tensor t;
       t.fill(Number(0));
-      block::add(t, half * s[a][a], e[a], e[a]);
-      block::add(t, s[a][b], e[a], e[b]);
-      block::add(t, s[a][c], e[a], e[c]);
-      block::add(t, half * (s[b][b] + s[a][b] - s[b][a]), e[b], e[b]);
-      block::add(t, half * (s[c][c] + s[a][c] - s[c][a]), e[c], e[c]);
-      block::add(t, half * (s[a][b] + s[c][b] + s[a][c] + s[b][c] - s[b][a] - s[c][a]), e[b], e[c]);
+      block::add<dim>(t, half * s[a][a], e[a], e[a]);
+      for (int m = 0; m < dim; ++m) {
+        if (m == a) continue;
+        block::add<dim>(t, s[a][m], e[a], e[m]);
+        block::add<dim>(t, half * (s[m][m] + s[a][m] - s[m][a]), e[m], e[m]);
+      }
+      if constexpr (dim == 3) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        block::add<dim>(t, half * (s[a][b] + s[c][b] + s[a][c] + s[b][c] - s[b][a] - s[c][a]), e[b], e[c]);
+      }
       const int i = others[a];
-      const auto& corners = Simplex<3>::facets[i];
-      stress[i][std::find(corners.begin(), corners.end(), j) - corners.begin()] = t;
-      const auto part = block::times(t, block::minus(G[i], G[j]));
-      for (int k = 0; k < 3; ++k) w[i][k] += part[k];
+      stress[i][block::place_on_facet<dim>(i, j)] = t;
+      const auto part = block::times<dim>(t, block::minus<dim>(G[i], G[j]));
+      for (int k = 0; k < dim; ++k) w[i][k] += part[k];
     }
   }
-  TensorOf<Number> centre;
+  Tensor centre;
   centre.fill(Number(0));
-  for (int i = 1; i < 4; ++i) block::add(centre, half * quarter, w[i], block::minus(cell.x[i], cell.x[0]));
-  for (auto& part : stress) part[3] = centre;
+  const Number share = Number(1) / Number(2 * (dim + 1));
+  for (int i = 1; i <= dim; ++i) block::add<dim>(centre, share, w[i], block::minus<dim>(cell.x[i], cell.x[0]));
+  for (auto& part : stress) part[dim] = centre;
   return stress;
 }
 
