@@ -94,9 +94,15 @@ template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const 
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (!scene::is_loaded(problem.facets[f])) continue;
     const auto& facet = mesh.boundary[f];
+    const int body = mesh.cell_component[facet.cell];
     const auto ends = scene::load(problem, static_cast<int>(f));
     for (int i = 0; i < dim; ++i)  // a linear load on a linear motion
-      add(mesh.cell_component[facet.cell], scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
+      add(body, scene::hat_moment(ends, i), mesh.vertices[facet.vertices[i]]);
+    for (const Vector<dim>& beside :
+         scene::higher_load(problem, static_cast<int>(f)))  // no work, in parts that have some
+      for (std::size_t m = 0; m < all.motion.size(); ++m)
+        for (int i = 0; i < dim && all.body[m] == body; ++i)
+          result.size += beside.norm() / dim * displacement(all.motion[m], mesh.vertices[facet.vertices[i]]).norm();
   }
   return result;
 }

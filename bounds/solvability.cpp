@@ -55,8 +55,7 @@ Imbalance possible_imbalance(const scene::Problem<2>& problem) {
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (!scene::is_loaded(problem.facets[f])) continue;
-    const auto ends = scene::load(problem, static_cast<int>(f));
-    const double force = std::max(ends[0].norm(), ends[1].norm());
+    const double force = size_of_load(problem, static_cast<int>(f));
     size += force;
     per_length += force / scene::length(mesh, static_cast<int>(f));
     largest = std::max(largest, force / scene::length(mesh, static_cast<int>(f)));

@@ -28,9 +28,12 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
     const auto& facet = mesh.boundary[f];
     const Edge& edge = layout.edges[facet.edge];
     const auto ends = scene::load(problem, static_cast<int>(f));
+    const auto higher = scene::higher_load(problem, static_cast<int>(f));
+    const int own = degree_of_load(problem.facets[f]);
     for (int i = 0; i <= degree; ++i) {
       Vector<dim> moment = Vector<dim>::Zero();
       for (int k = 0; k < 2; ++k) moment += scene::number<double>(scene::bernstein_mass(degree, i, 1, k)) * ends[k];
+      for (int k = 2; k <= own; ++k) moment += scene::legendre_moment<double>(degree, i, k) * higher[k - 2];
       moment = (edge.frame * moment).eval();
       const int place = 2 * along_edge(mesh, degree, facet.edge, facet.vertices[0], i);
       for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
@@ -219,6 +222,9 @@ Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem,
       static_cast<Eigen::Index>(rows.size()) != bodies.systems().front().rows.rows())
     throw std::invalid_argument(
         "dual::Solver: the problem has other unknowns or contact facets than the one that was factorised");
+  if (scene::degree_of_loads(problem) > degree)
+    throw std::invalid_argument(
+        "dual::Solver: the loads have a higher degree than the stresses, which cannot carry them");
   const CellData<degree> data{prescribed_displacements<degree>(problem), weights<degree>(problem, layout, cells)};
   std::vector<Eigen::VectorXd> loads = traction_loads(problem, layout);
   std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);

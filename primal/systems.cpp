@@ -132,10 +132,13 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
     const auto& facet = mesh.boundary[f];
     Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
     const auto ends = scene::load(problem, static_cast<int>(f));
+    const auto higher = scene::higher_load(problem, static_cast<int>(f));
+    const int own = degree_of_load(problem.facets[f]);
     for (int k = 0; k <= nodes.degree; ++k) {
       Vector<dim> force = Vector<dim>::Zero();
       for (int i = 0; i < dim; ++i)
         force += scene::number<double>(scene::bernstein_mass(nodes.degree, k, 1, i)) * ends[i];
+      for (int j = 2; j <= own; ++j) force += scene::legendre_moment<double>(nodes.degree, k, j) * higher[j - 2];
       const int at = k == 0              ? nodes.at_vertex(facet.vertices[0])
                      : k == nodes.degree ? nodes.at_vertex(facet.vertices[1])
                                          : nodes.on_edge(mesh, facet.edge, facet.vertices[0], k);

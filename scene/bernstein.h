@@ -63,7 +63,16 @@ constexpr Fraction bernstein_mass(int degree_of_i, int i, int degree_of_k, int k
   const int sum = degree_of_i + degree_of_k;
   return {binomial(degree_of_i, i) * binomial(degree_of_k, k), binomial(sum, i + k) * (sum + 1)};
 }
+/// Legendre's polynomial P_k on the segment (P_k(1) = 1), by its coefficient i of degree k.
+constexpr int legendre_coefficient(int k, int i) { return ((k - i) % 2 == 0 ? 1 : -1) * binomial(k, i); }
 template <class Number> Number number(const Fraction& f) { return Number(f.part) / Number(f.whole); }
+/// ∫ of coefficient i of a degree with P_k: 0 where k is larger.
+template <class Number> Number legendre_moment(int degree, int i, int k) {
+  Number sum(0);
+  for (int j = 0; k <= degree && j <= k; ++j)
+    sum += Number(legendre_coefficient(k, j)) * number<Number>(bernstein_mass(degree, i, k, j));
+  return sum;
+}
 
 /// ∫ f g over the segment's parameter.
 template <class Number> Number bernstein_product(std::span<const Number> f, std::span<const Number> g) {

@@ -56,9 +56,7 @@ std::vector<Place> middles(const DrawnBodies& drawn, const std::vector<int>& fac
 Vector<2> load_at(const scene::Problem<2>& problem, const Place& place) {
   const scene::FacetData<2>& data = problem.facets[place.facet];
   if (data.support != scene::Support::traction) return Vector<2>::Zero();
-  const double t = place.t;
-  return (1 - t) * data.traction[0] + t * data.traction[1] -
-         ((1 - t) * data.pressure[0] + t * data.pressure[1]) * place.outward;
+  return scene::traction_at(data, place.t) - scene::pressure_at(data, place.t) * place.outward;
 }
 
 /// Parts with a condition, and of each the pieces that hang together.

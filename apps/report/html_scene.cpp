@@ -66,11 +66,13 @@ std::string condition(const scene::Problem<2>& problem, int part) {
     support = data.support;
     for (int end = 0; end < 2; ++end) {
       normal.add(data.normal_displacement[end]);
-      for (int k = 0; k < 2; ++k) {
-        traction[k].add(data.traction[end][k]);
-        if (k == 0) pressure.add(data.pressure[end]);
-        displacement[k].add(data.displacement[end][k]);
-      }
+      for (int k = 0; k < 2; ++k) displacement[k].add(data.displacement[end][k]);
+    }
+    const int places = degree_of_load(data) > 1 ? 8 : 1;
+    for (int place = 0; place <= places; ++place) {
+      const double t = static_cast<double>(place) / places;
+      pressure.add(scene::pressure_at(data, t));
+      for (int k = 0; k < 2; ++k) traction[k].add(scene::traction_at(data, t)[k]);
     }
   }
   switch (support) {

@@ -18,6 +18,8 @@ Problem<2> with_data_times(Problem<2> problem, double force, double traction, do
     for (int end = 0; end < 2; ++end) {
       facet.traction[end] *= traction;
       facet.pressure[end] *= traction;
+      facet.higher_traction[end] *= traction;
+      facet.higher_pressure[end] *= traction;
       facet.displacement[end] *= displacement;
       facet.normal_displacement[end] *= displacement;
     }

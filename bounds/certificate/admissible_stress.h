@@ -77,6 +77,14 @@ template <class Number> Vector2<Number> oriented_higher(const Vector2<Number>& c
   return forward || k % 2 == 1 ? coefficient : -coefficient;
 }
 
+/// \param load its `higher` counts as far as the loads' degree, above which there is none
+template <class Number>
+void set_whole_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const WholeLoad<Number>& load) {
+  const auto& at = mesh.boundary[facet];
+  loads.edge[at.edge] = oriented(load.linear, forward(at));
+  for (int k = 2; k <= loads.degree; ++k)
+    loads.higher[(loads.degree - 1) * at.edge + k - 2] = oriented_higher(load.higher[k - 2], k, forward(at));
+}
 template <class Number>
 void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int facet, const SideLoad<Number>& load) {
   loads.edge[mesh.boundary[facet].edge] = oriented(load, forward(mesh.boundary[facet]));
@@ -139,7 +147,7 @@ EdgeLoads<Number> loads_of(const scene::Problem<2>& problem, const PlainLoads& g
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
     if (carries_load(problem, corrections, facet))
-      set_boundary_load(loads, problem.mesh, facet, prescribed_load(problem, corrections, facet));
+      set_whole_load(loads, problem.mesh, facet, prescribed_load(problem, corrections, facet));
   }
   spread_loads(problem, loads);
   return loads;

@@ -7,12 +7,17 @@
 
 namespace bracket::bounds {
 
+double size_of_load(const scene::Problem<2>& problem, int facet) {
+  const auto ends = scene::load(problem, facet);
+  const auto higher = scene::higher_load(problem, facet);  // Legendre's polynomials are at most 1 in size
+  return std::max(ends[0].norm(), ends[1].norm()) + (higher[0].norm() + higher[1].norm());
+}
+
 double largest_load(const scene::Problem<2>& problem) {
   const auto& mesh = problem.mesh;
   double largest = 0;
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    if (scene::is_loaded(problem.facets[f]))
-      for (const auto& end : scene::load(problem, static_cast<int>(f))) largest = std::max(largest, end.norm());
+    if (scene::is_loaded(problem.facets[f])) largest = std::max(largest, size_of_load(problem, static_cast<int>(f)));
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
     largest = std::max(largest, body_of(problem, cell).force.norm() * scene::volume(mesh, cell));

@@ -14,7 +14,10 @@ namespace bracket::bounds {
 bool corrections_vanish(const scene::Problem<2>& problem, const std::vector<Reaction>& chosen,
                         const std::vector<char>& carrying);
 
-/// The largest of all loads: at the ends of facets per unit of their parameter, and of the weights of cells.
+/// Not less than the load on a facet is anywhere on it, per unit of its parameter: what its rounding goes by. The load
+/// may have much beside its linear part.
+double size_of_load(const scene::Problem<2>& problem, int facet);
+/// The largest of all: of the facets' loads, and of the weights of cells.
 double largest_load(const scene::Problem<2>& problem);
 
 /// Those on the first mesh, with unit pressures where the corrections count on a pair: what reactions() chooses from.

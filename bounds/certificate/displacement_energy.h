@@ -35,10 +35,10 @@ void add_corrections(const scene::Problem<2>& problem, const std::vector<Correct
 
 /// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
 template <class Number>
-FacetLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
+WholeLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
                                   int facet) {
-  FacetLoad<Number> load = given_load<Number>(problem, facet);
-  add_corrections(problem, corrections, facet, load);
+  WholeLoad<Number> load = given_load<Number>(problem, facet);
+  add_corrections(problem, corrections, facet, load.linear);
   return load;
 }
 
@@ -143,20 +143,22 @@ Number cell_work(const scene::Problem<2>& problem, const PlainField& field, cons
   return doubled_area(corners<Number>(problem, cell)) / Number(2) * dot(force, mean);
 }
 
-/// ∫ T·u dτ over a facet of Γ_τ or Γ_K, T linear.
+/// ∫ T·u dτ over a facet of Γ_τ. What is linear of u is orthogonal to what is not of T.
 template <class Number>
 Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const MovedField<Number>& moved, int facet,
-                  const std::array<Vector2<Number>, 2>& load) {
+                  const WholeLoad<Number>& load) {
   std::array<Vector2<Number>, 2> u;
   for (int i = 0; i < 2; ++i) {
     const int v = mesh.boundary[facet].vertices[i];
     u[i] = vector2<Number>(field.vertex[v]) + moved.shifts[v];
   }
-  Number work = linear_product(load, u);
+  Number work = linear_product(load.linear, u);
   for (int k = 1; k < field.degree; ++k) {
     Vector2<Number> moment;
     for (int i = 0; i < 2; ++i)
-      moment = moment + scene::number<Number>(scene::bernstein_mass(field.degree, k, 1, i)) * load[i];
+      moment = moment + scene::number<Number>(scene::bernstein_mass(field.degree, k, 1, i)) * load.linear[i];
+    for (int j = 2; j <= load.degree; ++j)
+      moment = moment + scene::legendre_moment<Number>(field.degree, k, j) * load.higher[j - 2];
     work += dot(moment, vector2<Number>(offset_on(mesh, field, facet, k)));
   }
   return work;

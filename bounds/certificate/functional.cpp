@@ -11,6 +11,8 @@ scene::Problem<2> perturbation_alone(const scene::Problem<2>& first, std::shared
   for (auto& facet : bare.facets) {
     facet.traction = scene::at_vertices<2>(scene::Vector<2>(scene::Vector<2>::Zero()));
     facet.pressure = {0, 0};
+    facet.higher_traction = facet.traction;
+    facet.higher_pressure = {0, 0};
     facet.correction = facet.traction;
   }
   return scene::perturbed(bare, std::move(by), 1, 0);

@@ -32,9 +32,9 @@ Number perturbing_work(const scene::Problem<2>& problem, const Supports& support
     const int facet = static_cast<int>(f);
     const bool loaded = has_perturbing_load(problem, facet);
     if (!loaded && corrections.empty()) continue;
-    FacetLoad<Number> load;
+    WholeLoad<Number> load;
     if (loaded) load = perturbing_load<Number>(problem, facet);
-    add_corrections(problem, corrections, facet, load);
+    add_corrections(problem, corrections, facet, load.linear);
     work.add(facet_work<Number>(mesh, field, all, facet, load));
   }
   for (const auto& pair : problem.contact) {

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "bounds/certificate/vector2.h"
 #include "scene/problem/stretch.h"
 
@@ -75,8 +77,14 @@ Vector2<Number> arm_of_cell(const scene::Problem<2>& problem, const scene::Vecto
   return x;
 }
 
-/// A load on a facet per unit of its parameter, at its two ends.
+/// A load on a facet per unit of its parameter, at its two ends: what is linear of it.
 template <class Number> using FacetLoad = std::array<Vector2<Number>, 2>;
+/// All of it.
+template <class Number> struct WholeLoad {
+  FacetLoad<Number> linear;
+  std::array<Vector2<Number>, 2> higher;  ///< the coefficients of P_2 and P_3
+  int degree = 1;                         ///< from which on these are zero
+};
 
 /// Whether a body has weight.
 inline bool has_force(const scene::Problem<2>& problem, int body) {
@@ -91,40 +99,80 @@ template <class Number> Vector2<Number> body_force(const scene::Problem<2>& prob
          Number(loads) * vector2<Number>(by->force[body]);
 }
 
-/// A load on a piece of a facet of the first mesh, by what is given at the ends of the whole: force per length, and
-/// pressure against its own normal.
+/// A polynomial on a piece of a facet of the first mesh, by that on the whole. \param degree 1: there is nothing beside
+/// what is linear
+template <class Number, class Value>
+scene::EdgeCubic<Value> on_piece(const scene::EdgeCubic<Value>& whole, int degree, const scene::Piece<1>& piece) {
+  const double from = piece.corner[0][0], to = piece.corner[1][0];
+  if (degree > 1) return scene::on_stretch<Number>(whole, from, to);
+  const auto& [a, b] = whole.linear;
+  return {{between_ends(a, b, from), between_ends(a, b, to)}, whole.higher};
+}
+
+/// What acts on a facet of the first mesh: force per length, and pressure against its own normal.
+template <class Number> struct GivenLoad {
+  scene::EdgeCubic<Vector2<Number>> traction;
+  scene::EdgeCubic<Number> pressure;
+  int degree;  ///< of both
+  bool has_traction, has_pressure;
+};
+/// That of a facet's data, or of what a perturbation adds to it.
+template <class Number, class Data> GivenLoad<Number> given_on(const Data& data) {
+  const auto vectors = [](const auto& of) { return std::array{vector2<Number>(of[0]), vector2<Number>(of[1])}; };
+  const auto numbers = [](const std::array<double, 2>& of) { return std::array{Number(of[0]), Number(of[1])}; };
+  const auto is_none = [](const auto& load) {
+    if constexpr (requires { load.is_zero(); })
+      return load.is_zero();
+    else
+      return load.isZero(0);
+  };
+  GivenLoad<Number> given{{vectors(data.traction), vectors(data.higher_traction)},
+                          {numbers(data.pressure), numbers(data.higher_pressure)},
+                          1,
+                          !is_none(data.traction[0]) || !is_none(data.traction[1]),
+                          data.pressure[0] != 0 || data.pressure[1] != 0};
+  for (int k = 0; k < 2; ++k) {
+    const bool pulls = !is_none(data.higher_traction[k]), presses = data.higher_pressure[k] != 0;
+    if (pulls || presses) given.degree = k + 2;
+    given.has_traction |= pulls;
+    given.has_pressure |= presses;
+  }
+  return given;
+}
+
+/// The load on a piece of the facet.
 template <class Number>
-FacetLoad<Number> load_on_piece(const scene::Problem<2>& problem, const scene::Piece<1>& piece, bool has_traction,
-                                const std::array<Vector2<Number>, 2>& traction, const std::array<double, 2>& pressure) {
+WholeLoad<Number> load_on_piece(const scene::Problem<2>& problem, const scene::Piece<1>& piece,
+                                const GivenLoad<Number>& given) {
   const Vector2<Number> e = whole_facet<Number>(scene::first_of(problem).mesh, piece.of);
   const auto& corner = piece.corner;
   const Number width(corner[1][0] - corner[0][0]);
-  FacetLoad<Number> load;
-  if (has_traction) {
+  WholeLoad<Number> load;
+  load.degree = given.degree;
+  if (given.has_traction) {
     const Number length = width * root(dot(e, e));
-    for (int i = 0; i < 2; ++i) load[i] = length * between_ends(traction[0], traction[1], corner[i][0]);
+    const auto on = on_piece<Number>(given.traction, given.degree, piece);
+    for (int i = 0; i < 2; ++i) load.linear[i] = length * on.linear[i];
+    for (int k = 2; k <= given.degree; ++k) load.higher[k - 2] = length * on.higher[k - 2];
   }
-  if (pressure[0] != 0 || pressure[1] != 0) {
+  if (given.has_pressure) {
     const Vector2<Number> inward = width * turned(e);
-    for (int i = 0; i < 2; ++i)
-      load[i] = load[i] + between_ends(Number(pressure[0]), Number(pressure[1]), corner[i][0]) * inward;
+    const auto on = on_piece<Number>(given.pressure, given.degree, piece);
+    for (int i = 0; i < 2; ++i) load.linear[i] = load.linear[i] + on.linear[i] * inward;
+    for (int k = 2; k <= given.degree; ++k) load.higher[k - 2] = load.higher[k - 2] + on.higher[k - 2] * inward;
   }
   return load;
 }
 
 /// What a perturbation has on a facet of Γ_τ, as it is, without its factor.
-template <class Number> FacetLoad<Number> perturbing_load(const scene::Problem<2>& problem, int facet) {
+template <class Number> WholeLoad<Number> perturbing_load(const scene::Problem<2>& problem, int facet) {
   const scene::Piece<1> piece = scene::piece_of_facet(problem, facet);
-  const auto& added = problem.perturbed.by->facets[piece.of];
-  const bool has_traction = !added.traction[0].is_zero() || !added.traction[1].is_zero();
-  return load_on_piece<Number>(problem, piece, has_traction,
-                               {vector2<Number>(added.traction[0]), vector2<Number>(added.traction[1])},
-                               added.pressure);
+  return load_on_piece(problem, piece, given_on<Number>(problem.perturbed.by->facets[piece.of]));
 }
 /// Whether it has anything there.
 inline bool is_loaded(const scene::Perturbation<2>::Facet& added) {
   return !added.traction[0].is_zero() || !added.traction[1].is_zero() || added.pressure[0] != 0 ||
-         added.pressure[1] != 0;
+         added.pressure[1] != 0 || scene::degree_of_load<2>(added) > 1;
 }
 inline bool has_perturbing_load(const scene::Problem<2>& problem, int facet) {
   const auto& by = problem.perturbed.by;
@@ -145,16 +193,18 @@ std::array<Number, 2> opening_load(const scene::Problem<2>& problem, const scene
 }
 
 /// The prescribed load of a facet of Γ_τ but for corrections: those of the first mesh's facet, on its piece.
-template <class Number> FacetLoad<Number> given_load(const scene::Problem<2>& problem, int facet) {
+template <class Number> WholeLoad<Number> given_load(const scene::Problem<2>& problem, int facet) {
   const scene::Piece<1> piece = scene::piece_of_facet(problem, facet);
-  const scene::FacetData<2>& data = scene::first_of(problem).facets[piece.of];
-  const bool has_traction = !data.traction[0].isZero(0) || !data.traction[1].isZero(0);
-  FacetLoad<Number> load =
-      load_on_piece<Number>(problem, piece, has_traction,
-                            {vector2<Number>(data.traction[0]), vector2<Number>(data.traction[1])}, data.pressure);
+  const GivenLoad<Number> given = given_on<Number>(scene::first_of(problem).facets[piece.of]);
+  WholeLoad<Number> load = load_on_piece(problem, piece, given);
   if (!has_perturbing_load(problem, facet)) return load;
-  const FacetLoad<Number> added = perturbing_load<Number>(problem, facet);
-  for (int i = 0; i < 2; ++i) load[i] = load[i] + Number(problem.perturbed.loads) * added[i];
+  const WholeLoad<Number> added = perturbing_load<Number>(problem, facet);
+  const Number factor(problem.perturbed.loads);
+  load.degree = std::max(load.degree, added.degree);
+  for (int i = 0; i < 2; ++i) {
+    load.linear[i] = load.linear[i] + factor * added.linear[i];
+    load.higher[i] = load.higher[i] + factor * added.higher[i];
+  }
   return load;
 }
 

@@ -15,6 +15,7 @@ using scene::Support;
 namespace {
 
 bool finite(double x) { return std::isfinite(x); }
+bool finite(const scene::Vector<2>& x) { return x.allFinite(); }
 bool finite(const scene::TwofoldVector<2>& x) { return x.value.allFinite() && x.rest.allFinite(); }
 template <class Values> bool each_finite(const Values& values) {
   return std::all_of(values.begin(), values.end(), [](const auto& x) { return finite(x); });
@@ -25,6 +26,7 @@ bool is_finite(const scene::Perturbation<2>& by) {
          std::ranges::all_of(by.facets,
                              [](const auto& facet) {
                                return each_finite(facet.traction) && each_finite(facet.pressure) &&
+                                      each_finite(facet.higher_traction) && each_finite(facet.higher_pressure) &&
                                       each_finite(facet.displacement) && each_finite(facet.normal_displacement);
                              }) &&
          std::ranges::all_of(by.contact, [](const auto& contact) {

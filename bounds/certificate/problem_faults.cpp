@@ -64,7 +64,8 @@ std::string number_fault(const Problem<2>& problem) {
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
     if (!data.normal.allFinite() || !all_finite(data.traction) || !all_finite(data.displacement) ||
-        !all_finite(data.correction) || !all_finite(data.pressure) || !all_finite(data.normal_displacement))
+        !all_finite(data.correction) || !all_finite(data.pressure) || !all_finite(data.normal_displacement) ||
+        !all_finite(data.higher_traction) || !all_finite(data.higher_pressure))
       return fmt::format("the data of boundary facet {} are not finite", f);
   }
   for (const auto& pair : problem.contact)

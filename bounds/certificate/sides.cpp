@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/certificate/sides.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <future>
 
@@ -18,6 +20,8 @@ bool is_finite(const auto& values) {
 std::string stress_fault(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {
   if (stress.degree < 1 || stress.degree > scene::stress_degree(scene::largest_degree))
     return "the stresses are of no degree that there is";
+  if (const int degree = scene::degree_of_loads(problem); degree > stress.degree)
+    return fmt::format("the tractions have degree {}, stresses of degree {} cannot carry them", degree, stress.degree);
   const std::size_t values = 3 * scene::n_bernstein(stress.degree);
   if (stress.cell.size() != problem.mesh.cells.size() ||
       !std::ranges::all_of(stress.cell, [&](const auto& cell) { return cell.size() == values; }))

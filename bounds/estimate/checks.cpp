@@ -137,7 +137,7 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
     if (data.support == Support::fixed) continue;
     const auto t = tractions(problem.mesh, stress, static_cast<int>(f));
     const Vector<dim>& n = data.normal;
-    const auto given = coefficients(scene::load(problem, static_cast<int>(f)), stress.degree);
+    const auto given = loads(problem, static_cast<int>(f), stress.degree);
     const double length = scene::length(problem.mesh, static_cast<int>(f));
     for (std::size_t i = 0; i < t.size(); ++i) {
       if (data.support == Support::traction)

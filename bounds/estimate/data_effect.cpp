@@ -20,7 +20,7 @@ double simpson(double at0, double middle, double at1) { return (at0 + 4 * middle
 
 using Panels = std::vector<scene::Difference>;
 
-/// ∫ largest · weight over the edge, the weight a function of s that is a polynomial of degree 2 on each panel or less.
+/// ∫ largest · weight over the edge, by Simpson's rule on each panel.
 template <class Weight> double against(const Panels& panels, double length, const Weight& weight) {
   double sum = 0;
   for (const auto& [on, largest, slope, value] : panels) {
@@ -39,16 +39,35 @@ double squares(const Panels& panels, double scene::Difference::*what) {
   return sum;
 }
 
-/// Of a load δ left out, to which what is linear is orthogonal: its work on u_h, and the energy with which a half-plane
-/// answers to it, whose waves have lengths up to 4/3 of the edge: (1 − ν²)/E ∫ δ² / k with k ≥ 3 π / (2 length).
+/// What a displacement of degree n has on an edge beside all polynomials of degree n − 1, in size: |c P_n(s)|, c by the
+/// coefficients of s^n.
+auto beside_lower(const std::vector<Vector<2>>& u) {
+  const int n = static_cast<int>(u.size()) - 1;
+  Vector<2> leading = Vector<2>::Zero();
+  std::vector<double> legendre;
+  for (int i = 0; i <= n; ++i) {
+    legendre.push_back(scene::legendre_coefficient(n, i));
+    leading += legendre.back() * u[i];
+  }
+  const double size = leading.norm() / scene::binomial(2 * n, n);
+  return [=](double s) { return size * std::abs(scene::value_on_segment(legendre, s)); };
+}
+
+/// Of a load δ left out, to which what has the degree of stresses is orthogonal: its work on u_h, and the energy with
+/// which a half-plane answers to it, whose waves have lengths up to 4/3 of the edge: (1 − ν²)/E ∫ δ² / k with k ≥ 3 π /
+/// (2 length).
 double effect_of_load(const Panels& panels, double length, const std::vector<Vector<2>>& u, double compliance) {
-  // Of linear displacements only the mean is taken off, as what they lack of the exact ones is not known.
   const int degree = static_cast<int>(u.size()) - 1;
-  double rest = degree == 1 ? (u[1] - u[0]).norm() : 0;  // else the largest offset from what is linear
-  for (int k = 1; k < degree; ++k)
-    rest = std::max(rest, (u[k] - scene::linear_coefficient<double>(u.front(), u.back(), degree, k)).norm());
-  const double work = degree > 1 ? against(panels, length, [&](double s) { return degree * s * (1 - s) * rest; })
-                                 : against(panels, length, [&](double s) { return std::abs(s - 0.5) * rest; });
+  double work = 0;
+  if (degree == 1) {  // only the mean is taken off, as what u_h lacks of the exact displacement is not known
+    const double rest = (u[1] - u[0]).norm();
+    work = against(panels, length, [&](double s) { return std::abs(s - 0.5) * rest; });
+  } else if (degree == 2) {
+    const double rest = (u[1] - scene::linear_coefficient<double>(u[0], u[2], 2, 1)).norm();
+    work = against(panels, length, [&](double s) { return 2 * s * (1 - s) * rest; });
+  } else {
+    work = against(panels, length, beside_lower(u));
+  }
   return work + compliance / 5 * length * length * squares(panels, &scene::Difference::largest);
 }
 
@@ -62,7 +81,7 @@ double effect_of_displacement(const Panels& panels, double length, const std::ve
   return lost == 0 ? work : work + stiffness / 4 * std::sqrt(lost * squares(panels, &scene::Difference::slope));
 }
 
-bool is_rounding(const Panels& panels, const std::array<double, 2>& fixed, const Vector<2>& a, const Vector<2>& b) {
+bool is_rounding(const Panels& panels, const scene::EdgeCubic<double>& fixed, const Vector<2>& a, const Vector<2>& b) {
   double left = 0, largest = 0;
   for (const auto& panel : panels) {
     left = std::max(left, panel.largest);
@@ -81,12 +100,19 @@ double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>
   const auto largest_entry = [](const auto& matrix) { return std::max(matrix(0, 0), matrix(1, 1)); };
   double effect = 0;
   for (int c = 0; c < static_cast<int>(given.value.size()); ++c) {
-    std::array<double, 2> fixed;
-    for (int end = 0; end < 2; ++end) switch (given.kind) {
-        case scene::ConditionKind::fixed: fixed[end] = data.displacement[end][c]; break;
-        case scene::ConditionKind::sliding: fixed[end] = data.normal_displacement[end]; break;
-        case scene::ConditionKind::traction: fixed[end] = data.traction[end][c]; break;
-        case scene::ConditionKind::pressure: fixed[end] = data.pressure[end]; break;
+    scene::EdgeCubic<double> fixed{};
+    auto& [ends, higher] = fixed;
+    for (int i = 0; i < 2; ++i) switch (given.kind) {
+        case scene::ConditionKind::fixed: ends[i] = data.displacement[i][c]; break;
+        case scene::ConditionKind::sliding: ends[i] = data.normal_displacement[i]; break;
+        case scene::ConditionKind::traction:
+          ends[i] = data.traction[i][c];
+          higher[i] = data.higher_traction[i][c];
+          break;
+        case scene::ConditionKind::pressure:
+          ends[i] = data.pressure[i];
+          higher[i] = data.higher_pressure[i];
+          break;
       }
     const Panels panels = scene::difference(given.value[c], a, b, fixed);
     if (is_rounding(panels, fixed, a, b)) continue;

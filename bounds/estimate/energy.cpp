@@ -39,10 +39,9 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     const auto& data = problem.facets[f];
     if (!scene::is_loaded(data)) continue;
     const auto u = on_facet(mesh, displacement, static_cast<int>(f));
-    const auto load = scene::load(problem, static_cast<int>(f));
+    const auto load = loads(problem, static_cast<int>(f), degree_of_load(data));
     for (int c = 0; c < dim; ++c)
-      work +=
-          scene::bernstein_product(std::vector<double>{load[0][c], load[1][c]}, along<dim>(u, Vector<dim>::Unit(c)));
+      work += scene::bernstein_product(along<dim>(load, Vector<dim>::Unit(c)), along<dim>(u, Vector<dim>::Unit(c)));
   }
   Sum of_laws = 0;
   for (const auto& pair : problem.contact) of_laws += law_energy(problem, displacement, pair);

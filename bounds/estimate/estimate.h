@@ -88,14 +88,14 @@ Bracket bracket(double lower, double upper, double strain_energy, double contact
 
 /// An estimate of what fixing the data edgewise did to the energy, in absolute value: to first order
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
-/// where I u_h is linear on each facet (degree 1: its mean), to which P − P_h is orthogonal, and, as data of which
-/// nothing is left have no first order, the energy with which a half-plane answers to what is left out. Differences
-/// are bounds, of functions that are but sampled their values at points; enclosed gaps have none.
+/// where I u_h has the degree of the stresses on each facet (degree 1: its mean), to which P − P_h is orthogonal, and,
+/// as data of which nothing is left have no first order, the energy with which a half-plane answers to what is left
+/// out. Differences are bounds, of functions that are but sampled their values at points; enclosed gaps have none.
 struct DataEffect {
   double energy = 0;          ///< infinite where data are unbounded, or jumps are prescribed as displacements
   std::vector<double> facet;  ///< the shares of Mesh::boundary
 };
-/// \pre `problem` is fix_data() of `scene`, on its own mesh
+/// \pre `problem` is fix_data() of `scene`, on its own mesh, and the fields have its degree
 template <int dim>
 DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                        const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);

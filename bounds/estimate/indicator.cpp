@@ -35,7 +35,7 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
     const int facet = static_cast<int>(f);
     double& most = misfit[mesh.cell_body[mesh.boundary[f].cell]];
     const auto t = tractions(mesh, stress, facet);
-    const auto load = coefficients(scene::load(problem, facet), stress.degree);
+    const auto load = loads(problem, facet, stress.degree);
     for (int i = 0; i <= stress.degree; ++i) {
       const bool given = data.support == scene::Support::traction;
       const Vector<dim> known =

@@ -67,7 +67,7 @@ std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const sce
                                    const scene::ContactFacet& pair) {
   auto t = tractions(problem.mesh, stress, pair.first);
   if (scene::is_loaded(problem.facets[pair.first])) {
-    const auto load = coefficients(scene::load(problem, pair.first), stress.degree);
+    const auto load = loads(problem, pair.first, stress.degree);
     for (std::size_t k = 0; k < t.size(); ++k) t[k] -= load[k] / scene::length(problem.mesh, pair.first);
   }
   return along<dim>(t, -problem.facets[pair.first].normal);

@@ -30,6 +30,18 @@ template <class Value> std::vector<Value> coefficients(const std::array<Value, 2
   for (int k = 0; k <= degree; ++k) result.push_back(scene::linear_coefficient<double>(ends[0], ends[1], degree, k));
   return result;
 }
+/// The loads on a boundary facet likewise (scene::load()). \pre the degree is not less than theirs
+template <int dim> std::vector<scene::Vector<dim>> loads(const scene::Problem<dim>& problem, int facet, int degree) {
+  auto result = coefficients(scene::load(problem, facet), degree);
+  const auto higher = scene::higher_load(problem, facet);
+  for (int k = 2; k <= degree_of_load(problem.facets[facet]); ++k) {
+    std::vector<scene::Vector<dim>> own;
+    for (int i = 0; i <= k; ++i) own.push_back(double(scene::legendre_coefficient(k, i)) * higher[k - 2]);
+    own = scene::raised_to<double>(degree, std::move(own));
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += own[i];
+  }
+  return result;
+}
 /// One component of each.
 template <int dim>
 std::vector<double> along(const std::vector<scene::Vector<dim>>& coefficients, const scene::Vector<dim>& direction) {

@@ -22,6 +22,8 @@ Functionals<2> half_of_data(const Problem<2>& first, const Quantity<2>& quantity
     for (int i = 0; i < 2; ++i) {
       half.facets[f].traction[i] = plain(data.traction[i] / 2);
       half.facets[f].pressure[i] = data.pressure[i] / 2;
+      half.facets[f].higher_traction[i] = data.higher_traction[i] / 2;
+      half.facets[f].higher_pressure[i] = data.higher_pressure[i] / 2;
       if (data.support == Support::fixed) half.facets[f].displacement[i] = plain(data.displacement[i] / 2);
       if (data.support == Support::sliding) half.facets[f].normal_displacement[i] = data.normal_displacement[i] / 2;
     }

@@ -65,7 +65,7 @@ Functionals<2> mean_stress(const Problem<2>& first, const Quantity<2>& quantity)
     if (first.facets[f].support == Support::contact && by_first[f] >= 0)
       for (int i = 0; i < 2; ++i) perturbation.contact[by_first[f]].first[i] = u[i];
     if (first.facets[f].support == Support::traction && carries_load(first, corrections, static_cast<int>(f)))
-      known.add(linear_product<Enclosure>(prescribed_load(first, corrections, static_cast<int>(f)),
+      known.add(linear_product<Enclosure>(prescribed_load(first, corrections, static_cast<int>(f)).linear,  // as E₀x
                                           {vector2<Enclosure>(u[0]), vector2<Enclosure>(u[1])}));
   }
   for (std::size_t j = 0; j < first.contact.size(); ++j)

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/field/raw_field.h"
 #include "scene/text.h"
 
@@ -88,9 +90,11 @@ FieldOnScene on_scene(const Scene<2>& scene, const RawField& field) {
          "has arcs ([curves]): each of its meshes is another polygon, on which no displacement of another program can "
          "be judged yet");
   Trial trial = as_asked(best(scene, field), scene, field);
-  // The data are fixed on the file's own mesh, on whose edges its displacement is quadratic.
+  // The data are fixed on the file's own mesh, on whose edges its displacement is quadratic, for fields of that degree.
   Mesh<2> mesh = trial.problem.mesh;
-  FieldOnScene result{fix_data(scene, std::move(mesh)), std::move(*trial.given), trial.refinements};
+  Scene<2> quadratic = scene;
+  quadratic.solve.degree = std::min(scene.solve.degree, 2);
+  FieldOnScene result{fix_data(quadratic, std::move(mesh)), std::move(*trial.given), trial.refinements};
   if (result.problem.mesh.vertices != trial.problem.mesh.vertices ||
       result.problem.mesh.cells != trial.problem.mesh.cells)
     fail(Status::mesh, scene.file, "its contact sides would be cut anew on the refined mesh of the displacement");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/fault.h"
+#include "scene/fields.h"
 #include "scene/problem/gap.h"
 #include "scene/problem/laws.h"
 #include "scene/problem/matching.h"
@@ -54,7 +55,7 @@ std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh
 struct Extent {
   double error = 0, largest = 0;
 
-  template <int n> void include(const EdgeValues<n>& values) {
+  template <class Values> void include(const Values& values) {
     error = std::max(error, values.error);
     largest = std::max(largest, values.largest);
   }
@@ -81,6 +82,15 @@ std::vector<char> directed(const Mesh<2>& mesh, const std::vector<const Conditio
   return result;
 }
 
+/// Writes a load's component, or the pressure, to a facet.
+void set_load(const EdgeLoad& load, ConditionKind kind, std::size_t component, FacetData<2>& data) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [linear, higher] = load.value;
+    (kind == ConditionKind::pressure ? data.pressure[i] : data.traction[i][component]) = linear[i];
+    (kind == ConditionKind::pressure ? data.higher_pressure[i] : data.higher_traction[i][component]) = higher[i];
+  }
+}
+
 FixedFacets fix_facets(const Scene<2>& scene, const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
                        const std::vector<ContactFacet>& contact) {
   FixedFacets fixed;
@@ -99,18 +109,17 @@ FixedFacets fix_facets(const Scene<2>& scene, const Mesh<2>& mesh, const std::ve
     if (condition.kind == ConditionKind::sliding) data.support = Support::sliding;
     const bool load = data.support == Support::traction;
     for (std::size_t i = 0; i < condition.value.size(); ++i) {
-      const EdgeValues<2> values = load ? project(condition.value[i], a, b, condition.where)
-                                        : interpolate_linear(condition.value[i], a, b, condition.where);
-      (load ? fixed.traction : fixed.displacement).include(values);
-      for (std::size_t end = 0; end < 2; ++end) {
-        const double value = values.value[end];
-        switch (condition.kind) {
-          case ConditionKind::fixed: data.displacement[end][i] = value; break;
-          case ConditionKind::sliding: data.normal_displacement[end] = value; break;
-          case ConditionKind::traction: data.traction[end][i] = value; break;
-          case ConditionKind::pressure: data.pressure[end] = value; break;
-        }
+      if (load) {
+        const EdgeLoad values = project(condition.value[i], a, b, stress_degree(scene.solve.degree), condition.where);
+        fixed.traction.include(values);
+        set_load(values, condition.kind, i, data);
+        continue;
       }
+      const EdgeValues<2> values = interpolate_linear(condition.value[i], a, b, condition.where);
+      fixed.displacement.include(values);
+      for (std::size_t end = 0; end < 2; ++end)
+        (condition.kind == ConditionKind::fixed ? data.displacement[end][i] : data.normal_displacement[end]) =
+            values.value[end];
     }
   }
   return fixed;
@@ -192,32 +201,10 @@ void check_joined(const Scene<2>& scene, const Mesh<2>& mesh) {
 
 }  // namespace
 
-template <int dim> bool is_loaded(const FacetData<dim>& data) {
-  const auto acts = [](const Vector<dim>& load) { return !load.isZero(0); };
-  return (data.support == Support::traction || data.support == Support::contact) &&
-         (std::any_of(data.traction.begin(), data.traction.end(), acts) ||
-          std::any_of(data.correction.begin(), data.correction.end(), acts) ||
-          std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }));
-}
-
 template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem) {
   std::vector<int> contacts(problem.facets.size(), -1);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) contacts[problem.contact[i].first] = static_cast<int>(i);
   return contacts;
-}
-
-template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet) {
-  static_assert(dim == 2);
-  const FacetData<dim>& data = problem.facets[facet];
-  // Of the first mesh's facet, as far from the origin rounding turns small ones.
-  const auto [of, corner] = piece_of_facet(problem, facet);
-  const Mesh<dim>& first = first_of(problem).mesh;
-  const Vector<dim> outward =
-      (corner[1][0] - corner[0][0]) * area_vector<dim>(positions(first, first.boundary[of].vertices));
-  std::array<Vector<dim>, dim> result;
-  for (int i = 0; i < dim; ++i)
-    result[i] = outward.norm() * data.traction[i] - data.pressure[i] * outward + data.correction[i];
-  return result;
 }
 
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
@@ -250,9 +237,7 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
   return problem;
 }
 
-template bool is_loaded(const FacetData<2>&);
 template std::vector<int> contacts_by_first(const Problem<2>&);
-template std::array<Vector<2>, 2> load(const Problem<2>&, int);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
 
 }  // namespace bracket::scene

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/function.h"
+#include "scene/problem/stretch.h"
 
 /// What is left out where a function on an edge is fixed by few values. The parameter s is 0 at the edge's end a and 1
 /// at b.
@@ -19,7 +20,7 @@ struct EdgePanel {
 /// is linear for sure; eight, where it is but sampled.
 std::vector<EdgePanel> panels_of(const Function<2>& given, const Vector<2>& a, const Vector<2>& b);
 
-/// On a panel: the difference of a function and the linear one with these values at a and b.
+/// On a panel: the difference of a function and a cubic on the edge.
 struct Difference {
   EdgePanel panel;
   double largest;  ///< not less than its magnitude; of a sampled function, that at five points
@@ -27,10 +28,10 @@ struct Difference {
   double value;    ///< as `largest`, of the function itself
 };
 std::vector<Difference> difference(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                   const std::array<double, 2>& fixed);
+                                   const EdgeCubic<double>& fixed);
 
-/// What rounding does to values of about `largest` on an edge and to the points at which they are taken: a difference
-/// that is no larger is none.
-double rounding_of_values(double largest, const std::array<double, 2>& ends, const Vector<2>& a, const Vector<2>& b);
+/// What rounding does to values of about `largest` on an edge, which differ as the cubic does, and to the points at
+/// which they are taken: a difference that is no larger is none.
+double rounding_of_values(double largest, const EdgeCubic<double>& fixed, const Vector<2>& a, const Vector<2>& b);
 
 }  // namespace bracket::scene

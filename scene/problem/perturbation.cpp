@@ -7,6 +7,12 @@
 
 namespace bracket::scene {
 
+template <int dim> int degree_of_load(const typename Perturbation<dim>::Facet& added) {
+  const auto acts = [&](int k) { return !added.higher_traction[k].isZero(0) || added.higher_pressure[k] != 0; };
+  return acts(1) ? 3 : acts(0) ? 2 : 1;
+}
+template int degree_of_load<2>(const Perturbation<2>::Facet&);
+
 namespace {
 
 Vector<2> rounded(const TwofoldVector<2>& x) { return x.value + x.rest; }
@@ -26,11 +32,28 @@ Problem<2> with_origin(Problem<2> problem) {
   return problem;
 }
 
+/// The load on a piece with a perturbing one added, that on the piece of its first facet.
+template <class Value>
+void add_load(const EdgeCubic<Value>& whole, const Piece<1>& piece, double factor, std::array<Value, 2>& linear,
+              std::array<Value, 2>& higher) {
+  const auto added = on_stretch<double>(whole, piece.corner[0][0], piece.corner[1][0]);
+  for (int i = 0; i < 2; ++i) {
+    linear[i] += factor * added.linear[i];
+    higher[i] += factor * added.higher[i];
+  }
+}
+
 FacetData<2> with_data(FacetData<2> data, const Perturbation<2>::Facet& added, const Piece<1>& piece, double loads,
                        double kinematics) {
+  const bool curved = data.support == Support::traction && degree_of_load<2>(added) > 1;
+  if (curved) {
+    add_load<Vector<2>>({{rounded(added.traction[0]), rounded(added.traction[1])}, added.higher_traction}, piece, loads,
+                        data.traction, data.higher_traction);
+    add_load<double>({added.pressure, added.higher_pressure}, piece, loads, data.pressure, data.higher_pressure);
+  }
   for (int i = 0; i < 2; ++i) {
     const double t = piece.corner[i][0];
-    if (data.support == Support::traction) {
+    if (data.support == Support::traction && !curved) {
       data.traction[i] += loads * rounded(added.traction, t);
       data.pressure[i] += loads * between_ends(added.pressure, t);
     }

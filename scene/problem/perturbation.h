@@ -39,6 +39,9 @@ template <int dim> struct Perturbation {
     /// At the vertices, on Γ_τ: force per area, and in addition a pressure that acts against the facet's own normal.
     std::array<TwofoldVector<dim>, dim> traction = at_vertices<dim>(TwofoldVector<dim>{});
     std::array<double, dim> pressure = at_vertices<dim>(0.0);
+    /// What is not linear of both, as FacetData has it.
+    std::array<Vector<dim>, 2> higher_traction = {Vector<dim>(Vector<dim>::Zero()), Vector<dim>(Vector<dim>::Zero())};
+    std::array<double, 2> higher_pressure = {0, 0};
     /// U at the vertices: on Γ_u as it is, on Γ_0 by its component U_n along FacetData::normal.
     std::array<TwofoldVector<dim>, dim> displacement = at_vertices<dim>(TwofoldVector<dim>{});
     std::array<double, dim> normal_displacement = at_vertices<dim>(0.0);  ///< on Γ_0 in addition
@@ -67,6 +70,9 @@ template <int dim> struct Perturbed {
 };
 
 template <int dim> struct Problem;
+
+/// The degree of what a perturbation loads a facet with.
+template <int dim> int degree_of_load(const typename Perturbation<dim>::Facet& added);
 
 /// No data, of the sizes of the problem's first mesh.
 template <int dim> Perturbation<dim> no_perturbation(const Problem<dim>& problem);

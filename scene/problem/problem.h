@@ -22,7 +22,7 @@ enum class Support {
   contact    ///< Γ_K
 };
 
-/// The data of one boundary facet, at its vertices, linear between.
+/// The data of one boundary facet, at its vertices, linear between; loads have more beside.
 template <int dim> struct FacetData {
   Support support = Support::traction;
   /// The direction of sliding and contact: the unit outward normal, one and the same to the last bit for all
@@ -34,6 +34,10 @@ template <int dim> struct FacetData {
   /// In addition to `traction`. It acts against the facet's own outward normal, whatever `normal` is: so a uniform
   /// pressure on a closed contour is in balance, however its nodes were rounded.
   std::array<double, dim> pressure = at_vertices<dim>(0.0);
+  /// In the plane, in addition to both what is not linear, from vertex 0 to 1: the coefficients of Legendre's
+  /// polynomials P_2 and P_3 along the facet, which are 1 at vertex 1. They have neither a resultant nor a moment.
+  std::array<Vector<dim>, 2> higher_traction = {Vector<dim>(Vector<dim>::Zero()), Vector<dim>(Vector<dim>::Zero())};
+  std::array<double, 2> higher_pressure = {0, 0};
   /// In addition, per unit of the facet's parameter: see Correction.
   std::array<Vector<dim>, dim> correction = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
   std::array<Vector<dim>, dim> displacement = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
@@ -41,6 +45,11 @@ template <int dim> struct FacetData {
 };
 /// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_K in a perturbed problem.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
+/// The degree of what is given as its traction and pressure: 1, 2 or 3.
+template <int dim> int degree_of_load(const FacetData<dim>& data);
+/// Their values at a place, 0 at vertex 0 and 1 at vertex 1.
+template <int dim> Vector<dim> traction_at(const FacetData<dim>& data, double t);
+template <int dim> double pressure_at(const FacetData<dim>& data, double t);
 
 /// The last vertex of a facet first.
 template <int dim> constexpr std::array<int, std::size_t{dim}> backwards() {
@@ -168,8 +177,12 @@ template <int dim> Piece<dim - 1> piece_of_facet(const Problem<dim>& problem, in
 /// Of each facet, the contact of which it is the first side: index into Problem::contact, −1: none.
 template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem);
 
-/// The loads on a facet of Γ_τ, and of Γ_K in a perturbed problem, all kinds added up, at its vertices, per unit of its
-/// parameter (traction · length).
+/// What is linear of the loads on a facet of Γ_τ, and of Γ_K in a perturbed problem, all kinds added up, at its
+/// vertices, per unit of its parameter (traction · length). It has their resultant and moment.
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet);
+/// What they have beside it likewise: the coefficients of Legendre's polynomials P_2 and P_3.
+template <int dim> std::array<Vector<dim>, 2> higher_load(const Problem<dim>& problem, int facet);
+/// The largest degree of the loads, of those of a perturbation, too: stresses of a lower degree cannot carry them.
+template <int dim> int degree_of_loads(const Problem<dim>& problem);
 
 }  // namespace bracket::scene

@@ -58,13 +58,15 @@ double distance(const std::vector<Sample>& samples, const std::array<double, 2>&
   return largest;
 }
 
-std::array<double, 2> projected(const std::vector<Sample>& samples) {
-  double mean = 0, slope = 0;  // coefficients of the Legendre polynomials 1 and 2s − 1
+EdgeCubic<double> projected(const std::vector<Sample>& samples, int degree) {
+  double mean = 0, slope = 0, second = 0, third = 0;  // coefficients of the Legendre polynomials 1, 2s − 1, …
   for (const auto& [s, weight, value] : samples) {
     mean += weight * value;
     slope += 3 * weight * value * (2 * s - 1);
+    if (degree > 1) second += 5 * weight * value * legendre_2(s);
+    if (degree > 2) third += 7 * weight * value * legendre_3(s);
   }
-  return {mean - slope, mean + slope};
+  return {{mean - slope, mean + slope}, {second, third}};
 }
 
 /// The end values, just inside of the edge, of a function that is linear on it for sure.
@@ -77,21 +79,21 @@ std::optional<std::array<double, 2>> linear_ends(const Function<2>& given, const
 }
 
 /// Of a function that is linear to rounding its end values, of one that is constant inside that constant.
-std::array<double, 2> projected_or_ends(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                        const std::vector<Sample>& samples) {
+EdgeCubic<double> projected_or_ends(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, int degree,
+                                    const std::vector<Sample>& samples) {
   const std::array<double, 2> ends = {given(a), given(b)};  // may be infinite: then they are not used
-  const double rounding = rounding_of_values(largest_of(samples), ends, a, b);
-  if (std::isfinite(rounding) && distance(samples, ends) <= rounding) return ends;
+  const double rounding = rounding_of_values(largest_of(samples), {ends, {0, 0}}, a, b);
+  if (std::isfinite(rounding) && distance(samples, ends) <= rounding) return {ends, {0, 0}};
   const double first = samples.front().value;
   if (std::all_of(samples.begin(), samples.end(), [&](const Sample& at) { return at.value == first; }))
-    return {first, first};
-  return projected(samples);
+    return {{first, first}, {0, 0}};
+  return projected(samples, degree);
 }
 
 /// Fills in how far the values are from the function, and how large that is.
-EdgeValues<2> compared(const std::array<double, 2>& value, const Function<2>& given, const Vector<2>& a,
-                       const Vector<2>& b, const std::vector<Sample>& samples) {
-  EdgeValues<2> result{value, 0, std::max({largest_of(samples), std::abs(value[0]), std::abs(value[1])})};
+EdgeLoad compared(const EdgeCubic<double>& value, const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                  const std::vector<Sample>& samples) {
+  EdgeLoad result{value, 0, std::max({largest_of(samples), std::abs(value.linear[0]), std::abs(value.linear[1])})};
   const double reach = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) / (b - a).norm();
   const double rounded = 4 * std::numeric_limits<double>::epsilon() * reach;
   for (const Difference& panel : difference(given, a, b, value)) {
@@ -104,18 +106,22 @@ EdgeValues<2> compared(const std::array<double, 2>& value, const Function<2>& gi
 
 }  // namespace
 
-EdgeValues<2> project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where) {
+EdgeLoad project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, int degree,
+                 const std::string& where) {
   const std::vector<Sample> samples = sample(given, a, b, where);
   const auto ends = linear_ends(given, a, b);
-  EdgeValues<2> result = compared(ends ? *ends : projected_or_ends(given, a, b, samples), given, a, b, samples);
+  const EdgeCubic<double> value =
+      ends ? EdgeCubic<double>{*ends, {0, 0}} : projected_or_ends(given, a, b, degree, samples);
+  EdgeLoad result = compared(value, given, a, b, samples);
   if (!given.is_enclosed()) result.largest = largest_of(samples);
   return result;
 }
 
 EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                  const std::string& where) {
-  return compared({finite_value(given, a, where), finite_value(given, b, where)}, given, a, b,
-                  sample(given, a, b, where));
+  const std::array<double, 2> ends = {finite_value(given, a, where), finite_value(given, b, where)};
+  const EdgeLoad values = compared({ends, {0, 0}}, given, a, b, sample(given, a, b, where));
+  return {ends, values.error, values.largest};
 }
 
 EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,

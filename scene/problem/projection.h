@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/problem/stretch.h"
 #include "scene/scene.h"
 
 /// Given functions, fixed on one edge by few values (docs/theory.md §2). All throw Error (input), at `where`, if the
@@ -15,10 +16,18 @@ template <int n> struct EdgeValues {
   double largest = 0;  ///< not less than its magnitude, at points inside of the edge where that has no bound
 };
 
-/// L2 projection on linear functions, by composite quadrature: exact for polynomials of degree 8; on panels that are
-/// narrow where an enclosed function is not smooth. A function that is linear to rounding is taken as its end values
-/// and one that is constant inside as that constant, exactly; so jumps may lie at the ends.
-EdgeValues<2> project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, const std::string& where);
+/// A load: errors as in EdgeValues.
+struct EdgeLoad {
+  EdgeCubic<double> value;
+  double error = 0, largest = 0;
+};
+
+/// L2 projection on polynomials of a degree n, 1 to 3, by composite quadrature: exact for polynomials of degree 9 − n;
+/// on panels that are narrow where an enclosed function is not smooth. What is linear does not depend on n. A function
+/// that is linear to rounding is taken as its end values and one that is constant inside as that constant, exactly; so
+/// jumps may lie at the ends.
+EdgeLoad project(const Function<2>& given, const Vector<2>& a, const Vector<2>& b, int degree,
+                 const std::string& where);
 
 /// The linear function with the given end values.
 EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,

@@ -94,6 +94,14 @@ FacetData<2> on_piece(FacetData<2> data, const Piece<1>& piece) {
     data.displacement[i] = between_ends(given.displacement, t);
     data.normal_displacement[i] = between_ends(given.normal_displacement, t);
   }
+  if (degree_of_load(given) == 1) return data;
+  const double from = piece.corner[0][0], to = piece.corner[1][0];
+  const auto traction = on_stretch<double>(EdgeCubic<Vector<2>>{given.traction, given.higher_traction}, from, to);
+  const auto pressure = on_stretch<double>(EdgeCubic<double>{given.pressure, given.higher_pressure}, from, to);
+  data.traction = traction.linear;
+  data.higher_traction = traction.higher;
+  data.pressure = pressure.linear;
+  data.higher_pressure = pressure.higher;
   return data;
 }
 

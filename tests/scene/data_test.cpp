@@ -17,38 +17,92 @@ TEST(Projection, KeepsResultantAndMoment) {
   const Vector<2> a(0.5, 1), b(2.5, 0);
   for (int degree = 0; degree <= 8; ++degree) {
     const auto power = [&](const Vector<2>& x) { return std::pow((x - a).norm() / (b - a).norm(), degree); };
-    const auto [left, right] = project(power, a, b, "").value;
+    const auto [left, right] = project(power, a, b, 1, "").value.linear;
     EXPECT_NEAR((left + right) / 2, 1.0 / (degree + 1), 8 * eps) << degree;    // ∫ s^n
     EXPECT_NEAR(left / 6 + right / 3, 1.0 / (degree + 2), 8 * eps) << degree;  // ∫ s · s^n
   }
 }
 
+/// Of short coefficients: c_0 + c_1 s + c_2 s² + c_3 s³ along the edge from a to b.
+Function<2> cubic_along(const Vector<2>& a, const Vector<2>& b, const std::array<double, 4>& c) {
+  const Vector<2> e = (b - a) / (b - a).squaredNorm();
+  return enclosed<2>([=](const auto& x) {
+    const auto s = (x[0] - a[0]) * e[0] + (x[1] - a[1]) * e[1];
+    return c[0] + s * (c[1] + s * (c[2] + s * c[3]));
+  });
+}
+
+TEST(Projection, PolynomialsUpToTheDegreeAreKept) {
+  const Vector<2> a(0.5, 1), b(2.5, 0);
+  for (const int degree : {1, 2, 3})
+    for (int power = 0; power <= 4; ++power) {
+      std::array<double, 4> c = {0.25, 0, 0, 0};
+      if (power < 4) c[power] += 1;
+      const Function<2> given =
+          power < 4 ? cubic_along(a, b, c) : Function<2>([&](const Vector<2>& x) { return std::pow(x[0] - 0.5, 4); });
+      const EdgeLoad load = project(given, a, b, degree, "");
+      for (const double s : {0.0, 0.3, 0.5, 1.0})
+        if (power <= degree) {
+          EXPECT_NEAR(value_at(load.value, s), given((1 - s) * a + s * b), 32 * eps) << degree << power;
+        }
+      if (power <= degree)
+        EXPECT_LE(load.error, 32 * eps) << degree << power;
+      else
+        EXPECT_GT(load.error, 1e-3) << degree << power;
+      if (power < 2) {
+        EXPECT_EQ(load.value.higher, (std::array{0.0, 0.0}));  // to the last bit: nothing to carry
+      }
+      if (degree < 3) {
+        EXPECT_EQ(load.value.higher[1], 0);
+      }
+      const EdgeLoad linear = project(given, a, b, 1, "");
+      EXPECT_EQ(load.value.linear, linear.value.linear);
+      EXPECT_LE(load.error, linear.error);
+    }
+}
+
+// On a stretch the polynomial is the same, and in two steps what it is in one.
+TEST(Projection, StretchesHaveTheSamePolynomial) {
+  const EdgeCubic<double> whole = {{0.5, -1.25}, {0.75, 2.5}};
+  for (const auto& [from, to] : std::vector<std::array<double, 2>>{{0, 1}, {0, 0.5}, {0.5, 1}, {0.25, 0.375}}) {
+    const auto part = on_stretch<double>(whole, from, to);
+    for (double t = 0; t <= 1; t += 0.125)
+      EXPECT_NEAR(value_at(part, t), value_at(whole, from + t * (to - from)), 16 * eps);
+    const auto twice = on_stretch<double>(part, 0.5, 0.75);
+    const auto once = on_stretch<double>(whole, from + 0.5 * (to - from), from + 0.75 * (to - from));
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(twice.linear[i], once.linear[i], 16 * eps);
+      EXPECT_NEAR(twice.higher[i], once.higher[i], 16 * eps);
+    }
+  }
+}
+
 TEST(Projection, ConstantsAndLinearFunctionsStayExact) {
   const Vector<2> a(0.1, 0.7), b(0.3, 1.1);
-  EXPECT_EQ(project(constant(0.1), a, b, "").value, (std::array{0.1, 0.1}));
-  EXPECT_EQ(project(constant(0.1), a, b, "").error, 0);
+  EXPECT_EQ(project(constant(0.1), a, b, 1, "").value.linear, (std::array{0.1, 0.1}));
+  EXPECT_EQ(project(constant(0.1), a, b, 1, "").error, 0);
   const Function<2> linear = [](const Vector<2>& x) { return 3 - 0.7 * x[0] + 1e3 * x[1]; };
-  EXPECT_EQ(project(linear, a, b, "").value, (std::array{linear(a), linear(b)}));
+  EXPECT_EQ(project(linear, a, b, 1, "").value.linear, (std::array{linear(a), linear(b)}));
   const Vector<2> far(1e6, -1e6);  // where the points themselves are rounded
-  EXPECT_EQ(project(linear, a + far, b + far, "").value, (std::array{linear(a + far), linear(b + far)}));
+  EXPECT_EQ(project(linear, a + far, b + far, 1, "").value.linear, (std::array{linear(a + far), linear(b + far)}));
 }
 
 TEST(Projection, AJumpAtAnEndDoesNotMatter) {
   const Function<2> jump = [](const Vector<2>& x) { return x[0] < 0.5 ? -0.1 : 0.09; };
-  EXPECT_EQ(project(jump, {0.25, 0}, {0.5, 0}, "").value, (std::array{-0.1, -0.1}));
-  EXPECT_EQ(project(jump, {0.5, 0}, {0.75, 0}, "").value, (std::array{0.09, 0.09}));
+  EXPECT_EQ(project(jump, {0.25, 0}, {0.5, 0}, 1, "").value.linear, (std::array{-0.1, -0.1}));
+  EXPECT_EQ(project(jump, {0.5, 0}, {0.75, 0}, 1, "").value.linear, (std::array{0.09, 0.09}));
   const Function<2> ramp = [](const Vector<2>& x) { return x[0] < 0.5 ? x[0] : 7.0; };
-  const auto [left, right] = project(ramp, {0.25, 0}, {0.5, 0}, "").value;
+  const auto [left, right] = project(ramp, {0.25, 0}, {0.5, 0}, 1, "").value.linear;
   EXPECT_NEAR(left, 0.25, 8 * eps);
   EXPECT_NEAR(right, 0.5, 8 * eps);
   const Function<2> pole = [](const Vector<2>& x) { return std::sin(x[0]) / x[0]; };  // not a number at 0 only
-  EXPECT_NEAR(project(pole, {0, 0}, {1e-3, 0}, "").value[0], 1, 1e-7);
+  EXPECT_NEAR(project(pole, {0, 0}, {1e-3, 0}, 1, "").value.linear[0], 1, 1e-7);
 }
 
 TEST(Projection, AJumpInsideIsReported) {
   const Function<2> jump = [](const Vector<2>& x) { return x[0] < 0.5 ? -1.0 : 1.0; };
-  const EdgeValues<2> values = project(jump, {0, 0}, {1, 0}, "");
-  EXPECT_NEAR(values.value[1], 1.5, 1e-14);  // 3 ∫ |2s − 1| = 3/2; the panels meet at the jump
+  const EdgeLoad values = project(jump, {0, 0}, {1, 0}, 1, "");
+  EXPECT_NEAR(values.value.linear[1], 1.5, 1e-14);  // 3 ∫ |2s − 1| = 3/2; the panels meet at the jump
   EXPECT_GT(values.error, 0.9);
   EXPECT_EQ(values.largest, 1);
 }
@@ -113,6 +167,34 @@ TEST(Data, OscillationIsTheLargestErrorByTheLargestValue) {
   EXPECT_GT(problem.oscillation.traction, 0.9 / 96);  // L2: h²/6 at the ends
   EXPECT_LE(problem.oscillation.traction, 1.0 / 90);
   EXPECT_EQ(problem.oscillation.gap, 0);
+}
+
+// With degree 4 cubic loads are what they are written to be, with 3 what is beside quadratics moves them.
+TEST(Data, CubicLoadsAreKeptByDegree4) {
+  const auto cubic = enclosed<2>([](const auto& at) { return at[0] * at[0] * (1 + at[0]); });
+  const auto other = enclosed<2>([](const auto& at) { return at[1] * (at[1] - 2) * at[1]; });
+  double before = 1;
+  for (const int degree : {2, 3, 4}) {
+    Scene<2> scene = stacked(4, {{"b.top", {ConditionKind::pressure, {cubic}, ""}},
+                                 {"a.left", {ConditionKind::traction, {other, cubic}, ""}}});
+    scene.solve.degree = degree;
+    const Problem<2> problem = fixed(scene);
+    EXPECT_EQ(degree_of_loads(problem), degree - 1);
+    EXPECT_LT(problem.oscillation.traction, 0.2 * before);
+    before = problem.oscillation.traction;
+    // Every facet of a refined mesh has the same function, its load the same resultant.
+    const std::vector<char> all(problem.mesh.cells.size(), 1);
+    const Problem<2> fine = refine(refine(problem, all).problem, std::vector<char>(4 * all.size(), 1)).problem;
+    for (std::size_t f = 0; f < fine.facets.size(); ++f) {
+      const auto [of, corner] = piece_of_facet(fine, static_cast<int>(f));
+      for (const double t : {0.0, 0.25, 1.0}) {
+        const double s = corner[0][0] + t * (corner[1][0] - corner[0][0]);
+        EXPECT_NEAR(pressure_at(fine.facets[f], t), pressure_at(problem.facets[of], s), 16 * eps);
+        EXPECT_LE((traction_at(fine.facets[f], t) - traction_at(problem.facets[of], s)).norm(), 16 * eps);
+      }
+    }
+  }
+  EXPECT_LE(before, 16 * eps);
 }
 
 /// What is prescribed along x at each vertex of y = 0, up to the sign of a normal.

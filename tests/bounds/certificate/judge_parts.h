@@ -75,21 +75,35 @@ inline Field load_on(const scene::Mesh<2>& mesh, const ExactStress& stress, int 
   return on_side(on_normal(stress.cell[on.cell][(on.local + 1) % 3], n), 0, 1);
 }
 
+/// Linear between the ends, and beside it Legendre's polynomials of degrees 2 and 3.
+inline Field load_of(const std::array<Point, 2>& ends, const std::array<Point, 2>& higher) {
+  const auto term = [](int i, int j, int factor) { return Polynomial::monomial(2, {i, j, 0}, Exact(factor)); };
+  const std::array<Polynomial, 2> legendre = {term(2, 0, 1) + term(1, 1, -4) + term(0, 2, 1),
+                                              term(3, 0, -1) + term(2, 1, 9) + term(1, 2, -9) + term(0, 3, 1)};
+  Field result = between_points(ends[0], ends[1]);
+  for (int k = 0; k < 2; ++k)
+    if (!is_zero(higher[k])) result = result + Field{higher[k].x * legendre[k], higher[k].y * legendre[k]};
+  return result;
+}
+
 /// The tractions of the data, per unit of the parameter, and what is added to them.
 inline Field traction_on(const scene::Problem<2>& problem, const std::vector<Corrected<Exact>>& added, int facet) {
   const auto& mesh = problem.mesh;
   const auto& [a, b] = mesh.boundary[facet].vertices;
   const Point side = between<Exact>(mesh.vertices[a], mesh.vertices[b]);
   const auto& data = problem.facets[facet];
-  std::array<Point, 2> result;
-  if (!data.traction[0].isZero(0) || !data.traction[1].isZero(0)) {
+  std::array<Point, 2> linear, higher;
+  const auto is_none = [](const scene::Vector<2>& x) { return x.isZero(0); };
+  if (!std::ranges::all_of(data.traction, is_none) || !std::ranges::all_of(data.higher_traction, is_none)) {
     const Exact length = root(dot(side, side));
-    for (int i = 0; i < 2; ++i) result[i] = length * vector2<Exact>(data.traction[i]);
+    for (int i = 0; i < 2; ++i) linear[i] = length * vector2<Exact>(data.traction[i]);
+    for (int i = 0; i < 2; ++i) higher[i] = length * vector2<Exact>(data.higher_traction[i]);
   }
-  for (int i = 0; i < 2; ++i) result[i] = result[i] - Exact(data.pressure[i]) * outward(side);
+  for (int i = 0; i < 2; ++i) linear[i] = linear[i] - Exact(data.pressure[i]) * outward(side);
+  for (int i = 0; i < 2; ++i) higher[i] = higher[i] - Exact(data.higher_pressure[i]) * outward(side);
   for (const auto& [at_facet, load] : added)
-    for (int i = 0; i < 2 && at_facet == facet; ++i) result[i] = result[i] + load[i];
-  return between_points(result[0], result[1]);
+    for (int i = 0; i < 2 && at_facet == facet; ++i) linear[i] = linear[i] + load[i];
+  return load_of(linear, higher);
 }
 
 /// On a contact facet, along its first side: r = (u' − u'')·d; so too g and p.
