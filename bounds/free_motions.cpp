@@ -23,23 +23,43 @@ template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& 
 
 namespace {
 
-/// The jump along a direction at the ends of a contact facet, u' − u'', under each motion: two rows.
+/// The points of a side where forces are thought to act, one for each vertex of the first facet, off it by `inset`, at
+/// most to the middle.
 template <int dim>
-Eigen::MatrixXd jumps(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, const scene::ContactFacet& pair,
-                      const Vector<dim>& direction, double inset) {
+std::array<Vector<dim>, std::size_t{dim}> points_of(const scene::Problem<dim>& problem,
+                                                    const scene::ContactFacetOf<dim>& pair, bool of_first,
+                                                    double inset) {
   const auto& mesh = problem.mesh;
-  const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim, all.motion.size());
-  for (std::size_t m = 0; m < all.motion.size(); ++m)
-    for (const int side : {pair.first, pair.second}) {
-      if (side < 0 || all.body[m] != mesh.cell_component[mesh.boundary[side].cell]) continue;
-      const auto ends = scene::positions(mesh, mesh.boundary[side].vertices);
-      for (int i = 0; i < dim; ++i) {  // the second side runs the other way
-        const double at = (side == pair.first) == (i == 0) ? t : 1 - t;
-        rows(i, m) +=
-            (side == pair.first ? 1 : -1) * direction.dot(displacement(all.motion[m], scene::between_ends(ends, at)));
-      }
+  const auto x = scene::positions(mesh, mesh.boundary[of_first ? pair.first : pair.second].vertices);
+  std::array<Vector<dim>, dim> points;
+  if constexpr (dim == 2) {
+    const double t = std::min(0.5, inset / scene::length(mesh, pair.first));
+    for (int i = 0; i < dim; ++i) points[i] = scene::between_ends(x, of_first == (i == 0) ? t : 1 - t);
+  } else {
+    const Vector<dim> middle = (x[0] + x[1] + x[2]) / dim;
+    for (int i = 0; i < dim; ++i) {
+      const Vector<dim> inward = middle - x[of_first ? i : pair.meets[i]];
+      points[i] = middle - std::max(0.0, 1 - inset / inward.norm()) * inward;
     }
+  }
+  return points;
+}
+
+/// The jump along a direction at those points of a contact facet, u' − u'', under each motion: a row for each.
+template <int dim>
+Eigen::MatrixXd jumps(const scene::Problem<dim>& problem, const FreeMotions<dim>& all,
+                      const scene::ContactFacetOf<dim>& pair, const Vector<dim>& direction, double inset) {
+  const auto& mesh = problem.mesh;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(dim, all.motion.size());
+  for (const bool of_first : {true, false}) {
+    const int side = of_first ? pair.first : pair.second;
+    if (side < 0) continue;
+    const auto points = points_of(problem, pair, of_first, inset);
+    for (std::size_t m = 0; m < all.motion.size(); ++m)
+      if (all.body[m] == mesh.cell_component[mesh.boundary[side].cell])
+        for (int i = 0; i < dim; ++i)
+          rows(i, m) += (of_first ? 1 : -1) * direction.dot(displacement(all.motion[m], points[i]));
+  }
   return rows;
 }
 
@@ -57,16 +77,18 @@ template <int dim> Holding holding(const scene::Problem<dim>& problem, const Fre
                  rubbing > 0};
   Eigen::Index slip = n_normal;
   for (std::size_t j = 0; j < contact.size(); ++j) {
-    const scene::ContactFacet& pair = contact[j];
+    const auto& pair = contact[j];
     const Vector<dim>& d = problem.facets[pair.first].normal;
     result.rows.middleRows(dim * j, dim) = jumps(problem, all, pair, d, inset);
     if (pair.law.two_sided) result.limits.lower.segment(dim * j, dim).setConstant(-unlimited);
-    if (!has_friction(pair.law)) continue;
-    result.rows.middleRows(slip, dim) = jumps<dim>(problem, all, pair, scene::tangent(d), inset);
-    const double length = scene::length(problem.mesh, pair.first);
-    for (int i = 0; i < dim; ++i, ++slip) {
-      result.limits.upper[slip] = length * (2 * pair.law.friction[i] + pair.law.friction[1 - i]) / 6;
-      result.limits.lower[slip] = -result.limits.upper[slip];
+    if constexpr (dim == 2) {
+      if (!has_friction(pair.law)) continue;
+      result.rows.middleRows(slip, dim) = jumps<dim>(problem, all, pair, scene::tangent(d), inset);
+      const double length = scene::length(problem.mesh, pair.first);
+      for (int i = 0; i < dim; ++i, ++slip) {
+        result.limits.upper[slip] = length * (2 * pair.law.friction[i] + pair.law.friction[1 - i]) / 6;
+        result.limits.lower[slip] = -result.limits.upper[slip];
+      }
     }
   }
   return result;
@@ -87,9 +109,9 @@ template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const 
     const int body = mesh.cell_component[c];
     const Vector<dim>& force = body_of(problem, static_cast<int>(c)).force;
     if (force.isZero(0)) continue;
-    const auto& v = mesh.cells[c];
-    add(body, scene::volume(mesh, static_cast<int>(c)) * force,
-        (mesh.vertices[v[0]] + mesh.vertices[v[1]] + mesh.vertices[v[2]]) / 3);
+    Vector<dim> sum = mesh.vertices[mesh.cells[c][0]];
+    for (int k = 1; k <= dim; ++k) sum += mesh.vertices[mesh.cells[c][k]];
+    add(body, scene::volume(mesh, static_cast<int>(c)) * force, sum / (dim + 1));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     if (!scene::is_loaded(problem.facets[f])) continue;
@@ -129,5 +151,9 @@ template FreeMotions<2> all_free_motions(const scene::Problem<2>&);
 template Holding holding(const scene::Problem<2>&, const FreeMotions<2>&, double);
 template LoadWork load_work(const scene::Problem<2>&, const FreeMotions<2>&);
 template Moved<2> most_moved(const FreeMotions<2>&, const Eigen::VectorXd&);
+template FreeMotions<3> all_free_motions(const scene::Problem<3>&);
+template Holding holding(const scene::Problem<3>&, const FreeMotions<3>&, double);
+template LoadWork load_work(const scene::Problem<3>&, const FreeMotions<3>&);
+template Moved<3> most_moved(const FreeMotions<3>&, const Eigen::VectorXd&);
 
 }  // namespace bracket::bounds

@@ -14,14 +14,14 @@ template <int dim> struct FreeMotions {
 };
 template <int dim> FreeMotions<dim> all_free_motions(const scene::Problem<dim>& problem);
 
-/// What contacts can do to hold the bodies: a pressure on a facet can be replaced by forces at its ends, two a facet,
-/// and so can, behind these, the shear on a facet with friction.
+/// What contacts can do to hold the bodies: a pressure on a facet can be replaced by forces at its vertices, as many a
+/// facet, and so can, behind these, the shear on a facet with friction.
 struct Holding {
   Eigen::MatrixXd rows;    ///< the approach of the sides there, or their slip, under each motion
   contact::Limits limits;  ///< of the forces; the shear's each by itself: ∫ g_T by the hat functions
   bool friction = false;   ///< whether there are rows of slip
 };
-/// \param inset from the ends, at most to the middle
+/// \param inset from the vertices, at most to the middle
 template <int dim> Holding holding(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset = 0);
 
 /// The work of the loads in each motion, and the sum of its parts' sizes.

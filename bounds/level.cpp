@@ -30,9 +30,32 @@ void solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, b
   if (keep) solved.solvers.stresses = std::move(solver);
 }
 
+/// Displacements, then stresses from them star by star.
+template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const scene::Scene<dim>& scene) {
+  constexpr int sweeps = 1;
+  Clock clock;
+  const auto& problem = meshed.problem;
+  Examined<dim> solved;
+  const primal::Solver<dim> solver(problem, scene.solve.degree);
+  solved.primal = solver.solve(problem, meshed.primal_closed);
+  solved.level.seconds.primal = clock.lap();
+  if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
+  primal::PressureResult<dim> start = solver.solve_with_pressure(problem);
+  const double of_pressure = clock.seconds();
+  if (start.termination == contact::Termination::solved) {
+    solved.dual = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
+    solved.dual.statistics.seconds.contact += of_pressure;
+  } else {
+    solved.dual.termination = start.termination;
+    solved.dual.reason = solved.unsolved = std::move(start.reason);
+  }
+  solved.level.seconds.dual = clock.seconds();
+  return solved;
+}
+
 /// The two formulations side by side; each is mostly serial, so that two cores are well used.
 template <int dim>
-Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+Examined<dim> solve_side_by_side(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
   const Clock clock;
   contact::reserve_blas_memory(2);
   const bool keep = asks_for_quantities(scene);
@@ -48,6 +71,14 @@ Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& sce
   stresses.get();
   solved.unsolved = solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;
   return solved;
+}
+
+template <int dim>
+Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+  if constexpr (dim == 3) return solve_in_turn(meshed, scene);
+  if constexpr (dim == 2)
+    return scene.solve.dual == scene::Dual::local ? solve_in_turn(meshed, scene)
+                                                  : solve_side_by_side(meshed, scene, run_clock);
 }
 
 /// Two fields of one problem and their certificate.

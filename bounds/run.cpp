@@ -85,16 +85,19 @@ std::vector<char> inherited(const std::vector<char>& closed, const std::vector<i
 }
 
 /// Of each contact facet of a problem, the nearest one of the same pair on the mesh before, −1: none.
-std::vector<int> nearest_contacts(const scene::Problem<2>& before, const scene::Problem<2>& problem) {
-  const auto middle = [](const scene::Problem<2>& of, const scene::ContactFacet& pair) {
-    const auto [a, b] = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
-    return scene::Vector<2>((a + b) / 2);
+template <int dim>
+std::vector<int> nearest_contacts(const scene::Problem<dim>& before, const scene::Problem<dim>& problem) {
+  const auto middle = [](const scene::Problem<dim>& of, const auto& pair) {
+    const auto x = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
+    scene::Vector<dim> sum = x[0];
+    for (int i = 1; i < dim; ++i) sum += x[i];
+    return scene::Vector<dim>(sum / dim);
   };
-  std::vector<scene::Vector<2>> old;
+  std::vector<scene::Vector<dim>> old;
   for (const auto& pair : before.contact) old.push_back(middle(before, pair));
   std::vector<int> nearest;
   for (const auto& pair : problem.contact) {
-    const scene::Vector<2> x = middle(problem, pair);
+    const scene::Vector<dim> x = middle(problem, pair);
     nearest.push_back(-1);
     for (std::size_t j = 0; j < old.size(); ++j)
       if (before.contact[j].pair == pair.pair &&
@@ -291,9 +294,13 @@ Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, co
   return run_from(scene, first, observer);
 }
 
-template struct Outcome<2>;
-template struct Observer<2>;
-template Outcome<2> run(const scene::Scene<2>&, const Observer<2>&);
-template Outcome<2> run(const scene::Scene<2>&, scene::Problem<2>, const Observer<2>&);
+#define INSTANTIATE(dim)                                                     \
+  template struct Outcome<dim>;                                              \
+  template struct Observer<dim>;                                             \
+  template Outcome<dim> run(const scene::Scene<dim>&, const Observer<dim>&); \
+  template Outcome<dim> run(const scene::Scene<dim>&, scene::Problem<dim>, const Observer<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -7,11 +7,13 @@ namespace bracket::bounds {
 
 namespace {
 
-bool is_prescribed(const scene::FacetData<2>& data) {
+template <int dim> bool is_prescribed(const scene::FacetData<dim>& data) {
   using scene::Support;
-  if (data.support == Support::fixed) return !data.displacement[0].isZero(0) || !data.displacement[1].isZero(0);
-  if (data.support == Support::sliding) return data.normal_displacement[0] != 0 || data.normal_displacement[1] != 0;
-  return false;
+  const auto moves = [](const auto& at_vertices) {
+    return std::ranges::any_of(at_vertices, [](const auto& u) { return u != std::decay_t<decltype(u)>(0 * u); });
+  };
+  return (data.support == Support::fixed && moves(data.displacement)) ||
+         (data.support == Support::sliding && moves(data.normal_displacement));
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const sc
   if (scene.solve.dual == scene::Dual::hybrid && std::none_of(problem.bodies.begin(), problem.bodies.end(), heavy))
     skipped.push_back("particular stress field: no body force");
   if (!floating) skipped.push_back("rigid motions: every body is held by its supports");
-  if (std::none_of(problem.facets.begin(), problem.facets.end(), is_prescribed))
+  if (std::none_of(problem.facets.begin(), problem.facets.end(), is_prescribed<dim>))
     skipped.push_back("work of supports: no displacement is prescribed but zero");
   if (scene.refine.strategy == scene::Strategy::none) skipped.push_back("marking and refinement: strategy \"none\"");
   if (scene.refine.strategy == scene::Strategy::uniform) skipped.push_back("marking: every cell is refined");
@@ -36,5 +38,6 @@ std::vector<std::string> skipped_stages(const scene::Scene<dim>& scene, const sc
 }
 
 template std::vector<std::string> skipped_stages(const scene::Scene<2>&, const scene::Problem<2>&);
+template std::vector<std::string> skipped_stages(const scene::Scene<3>&, const scene::Problem<3>&);
 
 }  // namespace bracket::bounds

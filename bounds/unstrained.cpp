@@ -21,13 +21,10 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, in
   const auto& mesh = problem.mesh;
   double energy = 0;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const auto& v = mesh.cells[c];
-    const double area = scene::volume(mesh, static_cast<int>(c));
-    double perimeter = 0;
-    for (int k = 0; k < 3; ++k) perimeter += (mesh.vertices[v[(k + 1) % 3]] - mesh.vertices[v[k]]).norm();
-    const double strain =
-        degree * degree * size * perimeter / (2 * area);  // the gradient of a vertex' own function is edge / (2 area)
-    energy += area / 2 * problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
+    double slopes = 0;
+    for (const auto& slope : scene::hat_gradients<dim>(scene::positions(mesh, mesh.cells[c]))) slopes += slope.norm();
+    const double strain = degree * degree * size * slopes;
+    energy += scene::volume(mesh, static_cast<int>(c)) / 2 * problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
   }
   return energy;
 }

@@ -53,6 +53,18 @@ template <int dim> class Solver {
 template <int dim>
 Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed = {});
 
+/// Block-element stresses in K⁺_{F,P} without a global dual system (docs/theory.md §12): the stress of a displacement
+/// is handed out star by star. Exactly balanced but for rounding, whatever the displacement is; the closer that is to
+/// the solution, the closer S is to its minimum. \param pressure of each contact at the vertices of its first facet, ≥
+/// 0 where the sides can part, in balance with the
+///     loads of bodies that float
+/// \param displacement of degree 1 or 2, best that by these pressures without contact
+/// \param sweeps how often S is then minimised star by star
+/// \return solved, whatever the field is worth; `closed` is empty
+template <int dim>
+Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::array<double, std::size_t{dim}>>& pressure,
+                  const scene::Displacement<dim>& displacement, int sweeps);
+
 /// The same minimum by Uzawa's iteration on the multipliers of (3.13), (3.14) [HH81, §3], until the stress is known to
 /// about 1e-9 of its size and meets the constraints as well. It needs ~ h⁻² iterations; it terminates as solved or
 /// not_converged, the latter also where no pressure balances the loads or the time is spent.

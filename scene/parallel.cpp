@@ -7,17 +7,11 @@
 
 namespace bracket::scene {
 
-namespace {
+int n_chunks(int n, int size) { return (n + size - 1) / size; }
 
-constexpr int chunk_size = 512;  // cells: some milliseconds of work, against some microseconds to hand it out
-
-}  // namespace
-
-int n_chunks(int n) { return (n + chunk_size - 1) / chunk_size; }
-
-void in_chunks(int n, const std::function<void(int, int, int)>& work) {
-  tbb::parallel_for(0, n_chunks(n),
-                    [&](int chunk) { work(chunk, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size)); });
+void in_chunks(int n, const std::function<void(int, int, int)>& work, int size) {
+  tbb::parallel_for(0, n_chunks(n, size),
+                    [&](int chunk) { work(chunk, chunk * size, std::min(n, (chunk + 1) * size)); });
 }
 
 }  // namespace bracket::scene

@@ -174,5 +174,6 @@ template <int dim> class Dissection {
 template <int dim> std::vector<std::uint64_t> dissect(const Mesh<dim>& mesh) { return Dissection<dim>(mesh).take(); }
 
 template std::vector<std::uint64_t> dissect(const Mesh<2>&);
+template std::vector<std::uint64_t> dissect(const Mesh<3>&);
 
 }  // namespace bracket::scene

@@ -1,0 +1,75 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/balanced_block.h"
+#include "scene/scene.h"
+
+/// Cells by the loads on their facets, and what a load on one of them does, over any dimension.
+namespace bracket::dual {
+
+/// Loads linear on a facet: load density times length or area at its vertices, which are counted from the lowest number
+/// to the highest, component by component. So both cells at a facet have one order.
+template <int dim> inline constexpr int n_facet_loads = dim* dim;
+template <int dim> inline constexpr int n_cell_loads = (dim + 1) * n_facet_loads<dim>;
+/// Those of the facets at one vertex of the cell, its spokes.
+template <int dim> inline constexpr int n_spoke_loads = dim* n_facet_loads<dim>;
+
+template <int dim> using FacetVector = Eigen::Matrix<double, n_facet_loads<dim>, 1>;
+template <int dim> using CellVector = Eigen::Matrix<double, n_cell_loads<dim>, 1>;
+template <int dim> using CellForm = Eigen::Matrix<double, n_cell_loads<dim>, n_cell_loads<dim>>;
+
+/// A stress or the like, linear on a cell: at its vertices.
+template <int dim> using LinearStress = std::array<scene::Voigt<dim>, dim + 1>;
+
+/// The vertices of facet i of a cell, as places in the cell, by increasing number.
+template <int dim>
+std::array<int, std::size_t{dim}> sorted_corners(const std::array<int, dim + 1>& vertices, int facet) {
+  std::array<int, dim> corners = scene::Simplex<dim>::facets[facet];
+  std::sort(corners.begin(), corners.end(), [&](int a, int b) { return vertices[a] < vertices[b]; });
+  return corners;
+}
+
+template <int dim> scene::BlockGeometry<dim, double> geometry_of(const scene::Mesh<dim>& mesh, int cell) {
+  std::array<scene::VectorOf<dim, double>, dim + 1> x;
+  const scene::Vector<dim>& origin = mesh.vertices[mesh.cells[cell][0]];
+  for (int i = 0; i <= dim; ++i) {
+    const scene::Vector<dim> arm = mesh.vertices[mesh.cells[cell][i]] - origin;
+    for (int c = 0; c < dim; ++c) x[i][c] = arm[c];
+  }
+  return scene::block_geometry<dim, double>(x);
+}
+
+/// The stress of a block element by its loads and a body force.
+template <int dim>
+scene::BalancedStress<dim, double> stress_of(const std::array<int, dim + 1>& vertices,
+                                             const scene::BlockGeometry<dim, double>& geometry,
+                                             const CellVector<dim>& loads, const scene::Vector<dim>& force);
+
+/// The energy of stresses in terms of the loads: ½ ∫ λ : C⁻¹ λ = ½ Lᵀ H L + Lᵀ B F + …
+template <int dim> struct Energy {
+  CellForm<dim> loads;                                          ///< H, symmetric, positive definite
+  Eigen::Matrix<double, n_cell_loads<dim>, dim> by_body_force;  ///< B
+};
+template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell);
+
+/// Facet loads by the force and the moments about the origin in the planes of Simplex::rotations that they are.
+/// \param x the vertices of the facet
+template <int dim>
+Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, n_facet_loads<dim>> resultants(
+    const std::array<scene::Vector<dim>, dim>& x);
+
+/// ∫ ψ_k t over a facet: the moments of a linear load f = t · area are moments · f; of scalars.
+template <int dim> Eigen::Matrix<double, dim, dim> hat_masses();
+
+/// The L2 projection of ψ_a t on linear functions, by that of t: for vertex a of the facet.
+template <int dim> const std::array<Eigen::Matrix<double, dim, dim>, std::size_t{dim}>& share_of_vertex();
+
+/// f at the vertices by what `share` says of scalars.
+template <int dim> FacetVector<dim> applied(const Eigen::Matrix<double, dim, dim>& share, const FacetVector<dim>& f) {
+  FacetVector<dim> result;
+  using Table = Eigen::Matrix<double, dim, dim>;  // columns: vertices
+  Eigen::Map<Table>(result.data()) = Eigen::Map<const Table>(f.data()) * share.transpose();
+  return result;
+}
+
+}  // namespace bracket::dual

@@ -1,0 +1,341 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/local/target.h"
+
+#include <map>
+
+#include "contact/contact.h"
+#include "scene/mesh/dissection.h"
+#include "scene/parallel.h"
+#include "scene/voigt.h"
+
+namespace bracket::dual {
+
+namespace {
+
+using scene::Problem;
+using scene::Support;
+using scene::Vector;
+using scene::Voigt;
+
+template <int dim> inline constexpr int n_motions = scene::Simplex<dim>::n_rigid_motions;
+
+template <int dim> std::array<Vector<dim>, dim + 1> gradients(const scene::Mesh<dim>& mesh, int cell) {
+  return scene::hat_gradients<dim>(scene::positions(mesh, mesh.cells[cell]));
+}
+
+/// σ of a displacement at the vertices of a cell.
+template <int dim>
+LinearStress<dim> stress_at_vertices(const Problem<dim>& problem, const scene::Displacement<dim>& u, int cell) {
+  const auto& mesh = problem.mesh;
+  const auto G = gradients<dim>(mesh, cell);
+  LinearStress<dim> result;
+  for (int k = 0; k <= dim; ++k) {
+    Eigen::Matrix<double, dim, dim> slope = Eigen::Matrix<double, dim, dim>::Zero();
+    const bool quadratic = u.degree == 2;
+    for (int a = 0; a <= dim; ++a)
+      slope += (quadratic ? (a == k ? 3.0 : -1.0) : 1.0) * u.vertex[mesh.cells[cell][a]] * G[a].transpose();
+    for (int e = 0; quadratic && e < scene::Simplex<dim>::n_edges; ++e) {
+      const auto [a, b] = scene::Simplex<dim>::edges[e];
+      if (a != k && b != k) continue;
+      slope += 4 * u.edge[mesh.cell_edges[cell][e]] * G[a == k ? b : a].transpose();
+    }
+    result[k] = body_of(problem, cell).material.stiffness() * scene::strain<dim>(slope);
+  }
+  return result;
+}
+
+template <int dim> double mean_of_diagonal(const Voigt<dim>& s) { return s.template head<dim>().sum() / dim; }
+
+/// The value at a vertex of the affine function that is closest to the mean pressures of cells; none: they do not
+/// determine one.
+template <int dim>
+std::optional<double> fitted(const Problem<dim>& problem, const std::vector<int>& cells, int vertex, double size,
+                             const std::vector<double>& pressure) {
+  if (cells.size() <= dim) return {};
+  Eigen::Matrix<double, Eigen::Dynamic, dim + 1> rows(cells.size(), dim + 1);
+  Eigen::VectorXd values(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Vector<dim> arm = Vector<dim>::Zero();
+    for (const int v : problem.mesh.cells[cells[i]]) arm += problem.mesh.vertices[v] - problem.mesh.vertices[vertex];
+    rows.row(i) << 1, arm.transpose() / ((dim + 1) * size);
+    values[i] = pressure[cells[i]];
+  }
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, dim + 1>> qr(rows);
+  qr.setThreshold(1e-6);  // centroids that nearly lie in one plane tell nothing of the slope across it
+  if (qr.rank() <= dim) return {};
+  return qr.solve(values)[0];
+}
+
+/// The cells of a star's body, and those next to them where they are few.
+template <int dim>
+std::vector<int> cells_around(const Problem<dim>& problem, const std::vector<Star<dim>>& stars,
+                              const std::vector<int>& own, int body) {
+  constexpr std::size_t few = dim == 2 ? 6 : 12;
+  if (own.size() >= few) return own;
+  std::vector<int> wider;
+  for (const int c : own)
+    for (const int v : problem.mesh.cells[c])
+      for (const int other : stars[v].cells())
+        if (problem.mesh.cell_body[other] == body) wider.push_back(other);
+  std::sort(wider.begin(), wider.end());
+  wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
+  return wider;
+}
+
+/// σ̄: at each vertex and for each body there, deviators are the means of the cells' own, by volume, pressures the
+/// affine function closest to the cells' mean pressures. Both keep what is linear.
+template <int dim>
+std::vector<LinearStress<dim>> smoothed(const Problem<dim>& problem, const std::vector<Star<dim>>& stars,
+                                        const scene::Displacement<dim>& displacement) {
+  const auto& mesh = problem.mesh;
+  const int n = static_cast<int>(mesh.cells.size());
+  std::vector<LinearStress<dim>> own(n), result(n);
+  std::vector<double> pressure(n);
+  scene::for_each_index(n, [&](int c) {
+    own[c] = stress_at_vertices(problem, displacement, c);
+    pressure[c] = 0;
+    for (const auto& s : own[c]) pressure[c] += mean_of_diagonal<dim>(s) / (dim + 1);
+  });
+  scene::for_each_index(static_cast<int>(stars.size()), [&](int v) {
+    std::map<int, std::vector<int>> of_body;
+    for (const int c : stars[v].cells()) of_body[mesh.cell_body[c]].push_back(c);
+    for (const auto& [body, cells] : of_body) {
+      Voigt<dim> sum = Voigt<dim>::Zero();
+      double volume = 0;
+      const auto corner = [&](int c) {
+        return std::find(mesh.cells[c].begin(), mesh.cells[c].end(), v) - mesh.cells[c].begin();
+      };
+      for (const int c : cells) {
+        sum += scene::volume(mesh, c) * own[c][corner(c)];
+        volume += scene::volume(mesh, c);
+      }
+      Voigt<dim> value = sum / volume;
+      const auto fit = fitted(problem, cells_around(problem, stars, cells, body), v, stars[v].size(), pressure);
+      if (fit) value.template head<dim>().array() += *fit - mean_of_diagonal<dim>(value);
+      for (const int c : cells) result[c][corner(c)] = value;
+    }
+  });
+  return result;
+}
+
+/// A compressible material of about the stiffness of another.
+template <int dim> scene::Elasticity<dim> tame(const scene::Material<dim>& material) {
+  const double young = dim / material.compliance().template topLeftCorner<dim, dim>().trace();
+  const double shear = young / 2.6, lame = 1.5 * shear;  // ν = 0.3
+  scene::Elasticity<dim> result = scene::Elasticity<dim>::Zero();
+  result.template topLeftCorner<dim, dim>().setConstant(lame);
+  result.diagonal().template head<dim>().array() += 2 * shear;
+  result.diagonal().template tail<scene::n_voigt<dim> - dim>().setConstant(shear);
+  return result;
+}
+
+/// At each vertex of a cell the strains of ψ_a ρ, ρ the motions of the stars of its vertices a, one after the other.
+template <int dim>
+std::array<Eigen::MatrixXd, dim + 1> strains(const Problem<dim>& problem, const std::vector<Star<dim>>& stars,
+                                             int cell) {
+  using Table = scene::Simplex<dim>;
+  const auto& vertices = problem.mesh.cells[cell];
+  const auto G = gradients<dim>(problem.mesh, cell);
+  int n = 0;
+  for (const int v : vertices) n += static_cast<int>(stars[v].motions().cols());
+  std::array<Eigen::MatrixXd, dim + 1> result;
+  for (int k = 0; k <= dim; ++k) {
+    result[k].resize(scene::n_voigt<dim>, n);
+    int column = 0;
+    for (int a = 0; a <= dim; ++a) {
+      const Star<dim>& star = stars[vertices[a]];
+      const Vector<dim> arm = (problem.mesh.vertices[vertices[k]] - problem.mesh.vertices[vertices[a]]) / star.size();
+      Eigen::Matrix<double, scene::n_voigt<dim>, n_motions<dim>> of_unit;
+      for (int r = 0; r < n_motions<dim>; ++r) {
+        Vector<dim> u = Vector<dim>::Zero();
+        if (r < dim) {
+          u[r] = 1;
+        } else {
+          const auto [i, j] = Table::rotations[r - dim];
+          u[i] = -arm[j];
+          u[j] = arm[i];
+        }
+        of_unit.col(r) = scene::strain<dim>(u * G[a].transpose());
+      }
+      const auto motions = star.motions().cols();
+      result[k].middleCols(column, motions) = of_unit * star.motions();
+      column += static_cast<int>(motions);
+    }
+  }
+  return result;
+}
+
+/// What the stress σ̄ lacks of balance with the loads, by the motions of each star.
+template <int dim>
+std::vector<Eigen::VectorXd> defects(const Problem<dim>& problem, const Facets<dim>& facets,
+                                     const std::vector<Star<dim>>& stars, const std::vector<FacetVector<dim>>& given,
+                                     const std::vector<LinearStress<dim>>& stress) {
+  const auto& mesh = problem.mesh;
+  std::vector<Eigen::VectorXd> result(stars.size());
+  constexpr double masses_of = scene::Simplex<dim>::hat_masses_of;
+  scene::for_each_index(static_cast<int>(stars.size()), [&](int v) {
+    using Table = scene::Simplex<dim>;
+    const Star<dim>& star = stars[v];
+    Eigen::Matrix<double, n_motions<dim>, 1> sum = Eigen::Matrix<double, n_motions<dim>, 1>::Zero();
+    const auto add = [&](const Vector<dim>& force, const Vector<dim>& arm) {
+      sum.template head<dim>() += force;
+      for (int r = 0; r < Table::n_rotations; ++r) {
+        const auto [i, j] = Table::rotations[r];
+        sum[dim + r] += (arm[i] * force[j] - arm[j] * force[i]) / star.size();
+      }
+    };
+    for (std::size_t i = 0; i < star.cells().size(); ++i) {
+      const int c = star.cells()[i], a = star.corner(i);
+      const double volume = scene::volume(mesh, c);
+      const Vector<dim> G = gradients<dim>(mesh, c)[a];
+      const Vector<dim>& force = body_of(problem, c).force;
+      Vector<dim> total = Vector<dim>::Zero();
+      for (int j = 0; j <= dim; ++j) total += scene::traction<dim>(stress[c][j], G);
+      for (int k = 0; k <= dim; ++k) {
+        const Vector<dim> arm = mesh.vertices[mesh.cells[c][k]] - mesh.vertices[v];
+        const Vector<dim> own = total + scene::traction<dim>(stress[c][k], G);
+        add(volume / masses_of * ((k == a ? 2 : 1) * force - own), arm);
+      }
+    }
+    for (const int f : star.spokes()) {
+      const auto& facet = facets.facet[f];
+      if (facet.boundary < 0 || given[f].isZero(0)) continue;
+      std::array<Vector<dim>, dim> x;
+      for (int k = 0; k < dim; ++k) x[k] = mesh.vertices[facet.vertices[k]] - mesh.vertices[v];
+      Eigen::Matrix<double, n_motions<dim>, 1> wrench =
+          resultants<dim>(x) * applied<dim>(share_of_vertex<dim>()[slot(facets, f, v)], given[f]);
+      wrench.template tail<n_motions<dim> - dim>() /= star.size();
+      sum += wrench;
+    }
+    result[v] = star.motions().transpose() * sum;
+  });
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<FacetVector<dim>> given_loads(const Problem<dim>& problem, const Facets<dim>& facets,
+                                          const std::vector<std::array<double, std::size_t{dim}>>& pressure) {
+  std::vector<FacetVector<dim>> given(facets.facet.size(), FacetVector<dim>::Zero());
+  const auto& boundary = problem.mesh.boundary;
+  const auto number = [&](int f) { return cell_facets(problem.mesh, boundary[f].cell)[boundary[f].local]; };
+  const auto load_at = [&](int f, int k) {  // at the facet's own vertex k
+    return given[number(f)].template segment<dim>(dim * slot(facets, number(f), boundary[f].vertices[k]));
+  };
+  for (std::size_t f = 0; f < boundary.size(); ++f) {
+    if (!scene::is_loaded(problem.facets[f])) continue;
+    const auto of_vertices = scene::load(problem, static_cast<int>(f));
+    for (int k = 0; k < dim; ++k) load_at(static_cast<int>(f), k) = of_vertices[k];
+  }
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const auto& pair = problem.contact[j];
+    const double size = scene::area_vector<dim>(scene::positions(problem.mesh, boundary[pair.first].vertices)).norm();
+    for (int k = 0; k < dim; ++k) {
+      const Vector<dim> load = pressure[j][k] * size * problem.facets[pair.first].normal;
+      load_at(pair.first, k) -= load;
+      if (pair.second >= 0) load_at(pair.second, pair.meets[k]) += load;
+    }
+  }
+  return given;
+}
+
+template <int dim>
+std::vector<LinearStress<dim>> target_stress(const Problem<dim>& problem, const Facets<dim>& facets,
+                                             const std::vector<Star<dim>>& stars,
+                                             const std::vector<FacetVector<dim>>& given,
+                                             const scene::Displacement<dim>& displacement) {
+  const auto& mesh = problem.mesh;
+  const int n_cells = static_cast<int>(mesh.cells.size());
+  std::vector<LinearStress<dim>> stress = smoothed(problem, stars, displacement);
+
+  // Vertices are nodes, of each component in their order.
+  std::vector<int> node(stars.size(), -1);
+  std::vector<std::vector<int>> offsets(mesh.components.size(), {0}), cell_nodes(mesh.components.size());
+  std::vector<std::vector<std::uint64_t>> paths(mesh.components.size());
+  const std::vector<std::uint64_t> all_paths = scene::dissect(mesh);
+  std::vector<int> component(stars.size());
+  for (int c = 0; c < n_cells; ++c) {
+    auto& of = offsets[mesh.cell_component[c]];
+    for (const int v : mesh.cells[c]) {
+      if (node[v] < 0) {
+        node[v] = static_cast<int>(of.size()) - 1;
+        component[v] = mesh.cell_component[c];
+        of.push_back(of.back() + static_cast<int>(stars[v].motions().cols()));
+      }
+      cell_nodes[mesh.cell_component[c]].push_back(node[v]);
+    }
+    paths[mesh.cell_component[c]].push_back(all_paths[c]);
+  }
+  std::vector<scene::Elasticity<dim>> material;
+  for (const auto& body : problem.bodies) material.push_back(tame<dim>(body.material));
+
+  std::vector<Eigen::SparseMatrix<double>> matrices;
+  std::vector<contact::System> systems;
+  for (std::size_t b = 0; b < offsets.size(); ++b) {
+    contact::Assembly assembly(offsets[b], cell_nodes[b], dim + 1);
+    for (int c = 0; c < n_cells; ++c) {
+      if (mesh.cell_component[c] != static_cast<int>(b)) continue;
+      const auto X = strains(problem, stars, c);
+      Eigen::MatrixXd sum = X[0];
+      for (int k = 1; k <= dim; ++k) sum += X[k];
+      const auto& C = material[mesh.cell_body[c]];
+      Eigen::MatrixXd form = sum.transpose() * C * sum;
+      for (const auto& of_vertex : X) form += of_vertex.transpose() * C * of_vertex;
+      form *= scene::volume(mesh, c) / scene::Simplex<dim>::hat_masses_of;
+      std::vector<int> unknowns;
+      for (const int v : mesh.cells[c])
+        for (int i = offsets[b][node[v]]; i < offsets[b][node[v] + 1]; ++i) unknowns.push_back(i);
+      assembly.add(unknowns, form);
+    }
+    contact::System system;
+    system.stiffness = assembly.take();
+    matrices.push_back(system.stiffness);
+    // Motions of all vertices alike do not strain, nor do rotations of each about itself: what the matrix lacks there
+    // is of no account, for the right side is in balance. Refinement takes the shift out.
+    constexpr double shift = 1e-9;
+    for (int i = 0; i < system.stiffness.cols(); ++i) system.stiffness.coeffRef(i, i) *= 1 + shift;
+    system.nodes = offsets[b];
+    system.sequence = contact::elimination(paths[b], cell_nodes[b], static_cast<int>(system.nodes.size()) - 1);
+    system.rows.resize(0, system.stiffness.cols());
+    system.rigid.resize(system.stiffness.cols(), 0);
+    systems.push_back(std::move(system));
+  }
+  const contact::Bodies bodies(std::move(systems));
+  const std::vector<Eigen::VectorXd> lacking = defects(problem, facets, stars, given, stress);
+  std::vector<Eigen::VectorXd> amounts;
+  for (std::size_t b = 0; b < offsets.size(); ++b) {
+    Eigen::VectorXd right(offsets[b].back());
+    for (std::size_t v = 0; v < stars.size(); ++v)
+      if (node[v] >= 0 && component[v] == static_cast<int>(b))
+        right.segment(offsets[b][node[v]], lacking[v].size()) = lacking[v];
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
+    constexpr int refinements = 6;
+    const auto matrix = matrices[b].selfadjointView<Eigen::Lower>();
+    for (int step = 0; step < refinements && right.size() > 0; ++step)
+      x += bodies.respond(static_cast<int>(b), right - matrix * x);
+    amounts.push_back(std::move(x));
+  }
+  scene::for_each_index(n_cells, [&](int c) {
+    const auto X = strains(problem, stars, c);
+    Eigen::VectorXd own(X[0].cols());
+    int at = 0;
+    for (const int v : mesh.cells[c])
+      for (int i = offsets[mesh.cell_component[c]][node[v]]; i < offsets[mesh.cell_component[c]][node[v] + 1]; ++i)
+        own[at++] = amounts[mesh.cell_component[c]][i];
+    for (int k = 0; k <= dim; ++k) stress[c][k] += material[mesh.cell_body[c]] * (X[k] * own);
+  });
+  return stress;
+}
+
+#define INSTANTIATE(dim)                                                                                             \
+  template std::vector<FacetVector<dim>> given_loads<dim>(const Problem<dim>&, const Facets<dim>&,                   \
+                                                          const std::vector<std::array<double, std::size_t{dim}>>&); \
+  template std::vector<LinearStress<dim>> target_stress(                                                             \
+      const Problem<dim>&, const Facets<dim>&, const std::vector<Star<dim>>&, const std::vector<FacetVector<dim>>&,  \
+      const scene::Displacement<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
+
+}  // namespace bracket::dual
