@@ -28,101 +28,14 @@ Found size_fault(Key key, const std::string& name, double value, const std::stri
   return Fault{std::move(key), std::move(message), where};
 }
 
-// ---- mesh -----------------------------------------------------------------------------------------------------------
-
-Found block_fault(const Block<2>& block, const Key& key) {
-  const std::string& where = block.where;
-  const std::string which = where.empty() ? fmt::format("the block of '{}': ", block.body) : "";
-  if (block.body.empty()) return Fault{with(key, "body"), "mesh.block.body must not be empty", block.where};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const std::string name = axis == 0 ? "x" : "y";
-    const auto& [from, to] = block.range[axis];
-    for (const double end : {from, to})
-      if (Found fault = size_fault(with(key, name), which + "mesh.block." + name, end, where)) return fault;
-    if (from >= to) {
-      return Fault{
-          with(key, name),
-          fmt::format("{}mesh.block.{} = [{}, {}] is empty; write [from, to] with from < to", which, name, from, to),
-          where};
-    }
-    if (block.cells[axis] < 1) {
-      return Fault{with(key, "cells"),
-                   fmt::format("{}mesh.block.cells must be at least 1, is {}", which, block.cells[axis]), where};
-    }
-  }
-  return {};
-}
-
-/// Whether two blocks have no point in common, a corner, or a whole side that both cut in the same edges.
-bool fit_together(const Block<2>& one, const Block<2>& other) {
-  std::vector<int> across;  // the axes along which they but touch
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto& [from, to] = one.range[axis];
-    const auto& [other_from, other_to] = other.range[axis];
-    if (to < other_from || other_to < from) return true;
-    if (to == other_from || other_to == from) across.push_back(axis);
-  }
-  if (across.size() != 1) return across.size() == 2;
-  const int along = 1 - across[0];
-  return one.range[along] == other.range[along] && one.cells[along] == other.cells[along];
-}
-
-}  // namespace
-
-std::optional<Fault> mesh_fault(const Scene<2>& scene) {
-  constexpr double most_cells = 2e7;  // so that all indices, three and four to a cell, are far from the end of int
-  if (!scene.blocks.empty() + !scene.mesh_file.empty() + scene.given.has_value() != 1)
-    return Fault{
-        {"mesh"}, "the mesh must be either a file or blocks ([[mesh.block]]), or given in code", scene.mesh_where};
-  if (Found fault = size_fault({"mesh", "merge"}, "mesh.merge", scene.merge, scene.mesh_where)) return fault;
-  if (scene.merge < 0)
-    return Fault{
-        {"mesh", "merge"}, fmt::format("mesh.merge must not be negative, is {}", scene.merge), scene.mesh_where};
-  if (scene.merge > 0 && !scene.blocks.empty())
-    return Fault{
-        {"mesh", "merge"}, "mesh.merge is for the nodes of a mesh file; blocks have none to merge", scene.mesh_where};
-  double cells = 0;
-  for (std::size_t i = 0; i < scene.blocks.size(); ++i) {
-    const Block<2>& block = scene.blocks[i];
-    const Key key = {"mesh", "block", std::to_string(i)};
-    if (Found fault = block_fault(block, key)) return fault;
-    cells += 2.0 * block.cells[0] * block.cells[1];
-    if (cells > most_cells)
-      return Fault{key, fmt::format("the blocks have more than {:.0f} cells together", most_cells), block.where};
-    for (std::size_t other = 0; other < i; ++other)
-      if (block.body == scene.blocks[other].body && !fit_together(block, scene.blocks[other]))
-        return Fault{key,
-                     fmt::format("two blocks of the body '{0}' touch or overlap, but not along a whole side of both in "
-                                 "the same edges; expected that, or bodies of their own and a [[contact]]",
-                                 block.body),
-                     block.where};
-  }
-  for (const auto& [name, body] : scene.bodies) {
-    Found fault = unmade_body(scene.blocks, name);
-    if (!fault) continue;
-    fault->where = body.where;
-    return fault;
-  }
-  return {};
-}
-
-std::optional<Fault> unmade_body(const std::vector<Block<2>>& blocks, const std::string& body) {
-  std::vector<std::string> made;
-  for (const Block<2>& block : blocks) made.push_back(block.body);
-  if (made.empty() || std::find(made.begin(), made.end(), body) != made.end()) return {};
-  return Fault{{"bodies", body}, fmt::format("no block makes the body '{}': {}", body, suggestion(body, made))};
-}
-
-namespace {
-
 // ---- bodies, boundary, contact --------------------------------------------------------------------------------------
 
-Found body_fault(const Scene<2>& scene) {
+template <int dim> Found body_fault(const Scene<dim>& scene) {
   for (const auto& [body_name, body] : scene.bodies) {
     const Key key = {"bodies", body_name};
     const std::string called = "bodies." + body_name;
     const auto& constants = body.material.constants();
-    if (constants && constants->plane != scene.plane) {
+    if (dim == 2 && constants && constants->plane != scene.plane) {
       return Fault{key,
                    fmt::format("the material of '{}' is one of plane {}, the scene of plane {}", body_name,
                                name(constants->plane), name(scene.plane)),
@@ -141,28 +54,35 @@ Found body_fault(const Scene<2>& scene) {
   return {};
 }
 
-Found condition_fault(const Scene<2>& scene) {
+template <int dim> Found condition_fault(const Scene<dim>& scene) {
   for (const auto& [part, condition] : scene.boundary) {
     const std::string kind = name(condition.kind);
     const Key key = {"boundary", part, kind};
     const bool vector = condition.kind == ConditionKind::fixed || condition.kind == ConditionKind::traction;
-    const std::size_t needed = vector ? 2 : 1, given = condition.value.size();
+    const std::size_t needed = vector ? dim : 1, given = condition.value.size();
     if (given != needed) {
       return Fault{key,
                    fmt::format("boundary.\"{}\".{} must have {} function{}, has {}", part, kind, needed,
                                needed == 1 ? "" : "s", given),
                    condition.where};
     }
-    for (const Function<2>& function : condition.value)
+    for (const Function<dim>& function : condition.value)
       if (!function)
         return Fault{key, fmt::format("boundary.\"{}\".{} has an empty function", part, kind), condition.where};
   }
   return {};
 }
 
-Found obstacle_fault(const Side& side, const Key& key, const std::string& where) {
+template <int dim> Found obstacle_fault(const Side& side, const Key& key, const std::string& where) {
   const auto fault = [&](const std::string& message) { return Fault{key, "contact.second: " + message, where}; };
   std::vector<double> numbers;
+  if (dim == 3 && (side.obstacle.index() == 1 || side.obstacle.index() == 2))
+    return fault(
+        fmt::format("{} is an obstacle of the plane; in space there are \"rigid\" and {{ plane = {{ point, "
+                    "normal }} }}",
+                    name(side)));
+  if (dim == 2 && side.obstacle.index() == 3)
+    return fault("a plane is an obstacle of space; here there are { line } and { circle }");
   if (const auto* line = std::get_if<LineObstacle>(&side.obstacle)) {
     numbers = {line->point[0], line->point[1], line->normal[0], line->normal[1]};
     if (line->normal.isZero(0)) return fault("the normal of the line must not be zero");
@@ -171,15 +91,21 @@ Found obstacle_fault(const Side& side, const Key& key, const std::string& where)
     numbers = {center[0], center[1], radius};
     if (!(radius > 0)) return fault(fmt::format("the radius of the circle must be positive, is {}", radius));
   }
+  if (const auto* plane = std::get_if<PlaneObstacle>(&side.obstacle)) {
+    numbers.assign(plane->point.begin(), plane->point.end());
+    numbers.insert(numbers.end(), plane->normal.begin(), plane->normal.end());
+    if (plane->normal.isZero(0)) return fault("the normal of the plane must not be zero");
+  }
   for (const double number : numbers)
     if (const std::string message = size_message(number, "a number"); !message.empty()) return fault(message);
   if (!numbers.empty() && !side.parts.empty()) return fault("either boundary parts or an obstacle, not both");
   return {};
 }
 
-Found curve_fault(const Scene<2>& scene) {
+template <int dim> Found curve_fault(const Scene<dim>& scene) {
   for (const auto& [part, curve] : scene.curves) {
     const Key key = {"curves", part};
+    if (dim == 3) return Fault{key, "[curves] are arcs of the plane; in space faces stay flat", curve.where};
     if (!curve.circle) continue;
     const auto& [center, radius] = *curve.circle;
     const std::string name = fmt::format("curves.\"{}\".circle", part);
@@ -190,9 +116,9 @@ Found curve_fault(const Scene<2>& scene) {
   return {};
 }
 
-Found contact_fault(const Scene<2>& scene) {
+template <int dim> Found contact_fault(const Scene<dim>& scene) {
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
-    const ContactPair<2>& pair = scene.contact[i];
+    const ContactPair<dim>& pair = scene.contact[i];
     const Key key = {"contact", std::to_string(i)};
     const auto fault = [&](const char* of, const std::string& message) {
       return Fault{of[0] == '\0' ? key : with(key, of), message, pair.where};
@@ -201,7 +127,7 @@ Found contact_fault(const Scene<2>& scene) {
       return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
     if (const std::string message = law_message(scene, pair); !message.empty()) return fault("law", message);
     const bool crack = !is_wall(pair.second) && pair.first.parts == pair.second.parts;
-    if (Found of_obstacle = obstacle_fault(pair.second, with(key, "second"), pair.where)) return of_obstacle;
+    if (Found of_obstacle = obstacle_fault<dim>(pair.second, with(key, "second"), pair.where)) return of_obstacle;
     std::set<std::string> own;  // parts of this pair
     for (const auto& [side, of] : {std::pair(&pair.first, "first"), std::pair(&pair.second, "second")}) {
       if (side->parts.empty() && !(side == &pair.second && is_wall(*side)))
@@ -226,9 +152,9 @@ Found contact_fault(const Scene<2>& scene) {
   return {};
 }
 
-Found bond_fault(const Scene<2>& scene) {
+template <int dim> Found bond_fault(const Scene<dim>& scene) {
   std::set<std::string> used;  // parts of contact pairs and bonds
-  for (const ContactPair<2>& pair : scene.contact)
+  for (const ContactPair<dim>& pair : scene.contact)
     for (const Side* side : {&pair.first, &pair.second}) used.insert(side->parts.begin(), side->parts.end());
   for (std::size_t i = 0; i < scene.bonds.size(); ++i) {
     const Bond& bond = scene.bonds[i];
@@ -258,7 +184,7 @@ Found degree_fault(int degree) {
   return Fault{{"solve", "degree"}, fmt::format("solve.degree must be from 1 to {}, is {}", largest_degree, degree)};
 }
 
-Found settings_fault(const Refine& refine, const Solve& solve) {
+template <int dim> Found settings_fault(const Refine& refine, const Solve& solve) {
   const auto fault = [](const char* key, const char* limits, auto value) {
     return Fault{{"refine", key}, fmt::format("refine.{} must {}, is {}", key, limits, value)};
   };
@@ -271,6 +197,13 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
   if (refine.max_cells < 1) return fault("max_cells", "be at least 1", refine.max_cells);
   if (refine.max_seconds < 1) return fault("max_seconds", "be at least 1", refine.max_seconds);
   if (Found wrong = degree_fault(solve.degree)) return wrong;
+  if (dim == 3 && solve.degree > 2)
+    return Fault{{"solve", "degree"},
+                 fmt::format("solve.degree must be 1 or 2 in three dimensions, is {}", solve.degree)};
+  if ((dim == 3) != (solve.dual == Dual::local))
+    return Fault{{"solve", "dual"},
+                 fmt::format("solve.dual = \"{}\" is for {} dimensions; here write {}", name(solve.dual),
+                             dim == 3 ? "two" : "three", dim == 3 ? "\"local\"" : "\"hybrid\" or \"uzawa\"")};
   if (solve.dual == Dual::uzawa && solve.degree > 2)
     return Fault{{"solve", "dual"},
                  fmt::format("solve.dual = \"uzawa\" has linear stresses, beside displacements of degree 1 or 2; "
@@ -281,15 +214,16 @@ Found settings_fault(const Refine& refine, const Solve& solve) {
 
 }  // namespace
 
-std::optional<Fault> fault_beside_mesh(const Scene<2>& scene) {
-  for (const auto& find : {body_fault, condition_fault, curve_fault, contact_fault, bond_fault, quantity_fault})
+template <int dim> std::optional<Fault> fault_beside_mesh(const Scene<dim>& scene) {
+  for (const auto& find : {body_fault<dim>, condition_fault<dim>, curve_fault<dim>, contact_fault<dim>, bond_fault<dim>,
+                           quantity_fault<dim>})
     if (Found fault = find(scene)) return fault;
-  Found fault = settings_fault(scene.refine, scene.solve);
+  Found fault = settings_fault<dim>(scene.refine, scene.solve);
   if (fault) fault->where = scene.file;
   return fault;
 }
 
-std::optional<Fault> fault_of(const Scene<2>& scene) {
+template <int dim> std::optional<Fault> fault_of(const Scene<dim>& scene) {
   if (Found fault = mesh_fault(scene)) return fault;
   return fault_beside_mesh(scene);
 }
@@ -307,11 +241,14 @@ std::string name(const Side& side) {
   if (is_rigid(side)) return "a rigid wall";
   if (std::holds_alternative<LineObstacle>(side.obstacle)) return "a line";
   if (std::holds_alternative<CircleObstacle>(side.obstacle)) return "a circle";
+  if (std::holds_alternative<PlaneObstacle>(side.obstacle)) return "a plane";
   return fmt::format("{}", fmt::join(side.parts, ", "));
 }
 
 template <int dim> void check(const Scene<dim>& scene) { throw_if(fault_of(scene)); }
-void check_settings(const Refine& refine, const Solve& solve) { throw_if(settings_fault(refine, solve)); }
+template <int dim> void check_settings(const Refine& refine, const Solve& solve) {
+  throw_if(settings_fault<dim>(refine, solve));
+}
 int degree_for(double target, double cells) {
   const bool fine = cells >= 1000;
   if (target == 0 || target > (fine ? 3e-3 : 3e-2)) return 2;
@@ -321,7 +258,7 @@ int degree_for(double target, double cells) {
 template <int dim> double cells_of(const Scene<dim>& scene) {
   if (scene.given) return static_cast<double>(scene.given->cells.size());
   double cells = 0;
-  for (const Block<dim>& block : scene.blocks) cells += 2.0 * block.cells[0] * block.cells[1];
+  for (const Block<dim>& block : scene.blocks) cells += cells_of(block);
   if (!scene.blocks.empty()) return cells;
   try {
     return static_cast<double>(read_mesh<dim>(scene.mesh_file).cells.size());
@@ -340,7 +277,16 @@ double bulk_for(int degree) { return degree >= 3 ? 0.8 : 0.5; }
 void check_degree(int degree) { throw_if(degree_fault(degree)); }
 
 template void check(const Scene<2>&);
+template void check(const Scene<3>&);
+template void check_settings<2>(const Refine&, const Solve&);
+template void check_settings<3>(const Refine&, const Solve&);
+template std::optional<Fault> fault_beside_mesh(const Scene<2>&);
+template std::optional<Fault> fault_beside_mesh(const Scene<3>&);
+template std::optional<Fault> fault_of(const Scene<2>&);
+template std::optional<Fault> fault_of(const Scene<3>&);
 template double cells_of(const Scene<2>&);
+template double cells_of(const Scene<3>&);
 template bool has_coulomb(const Scene<2>&);
+template bool has_coulomb(const Scene<3>&);
 
 }  // namespace bracket::scene

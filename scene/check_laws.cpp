@@ -5,8 +5,11 @@
 
 namespace bracket::scene {
 
-std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair) {
+template <int dim> std::string law_message(const Scene<dim>& scene, const ContactPair<dim>& pair) {
   if (pair.law == Law::bonded) return "a contact pair cannot be bonded; what sticks is a bond of its own";
+  if (dim == 3 && pair.law != Law::frictionless && pair.law != Law::bilateral)
+    return fmt::format("contact.law: three dimensions know \"frictionless\", \"bilateral\" and \"bonded\", not \"{}\"",
+                       name(pair.law));
   const bool valued = pair.law == Law::winkler || pair.law == Law::tresca || pair.law == Law::coulomb;
   if (valued != (pair.value && *pair.value))
     return fmt::format("contact.law: '{}' has {}", name(pair.law), valued ? "no value" : "a value, and needs none");
@@ -27,5 +30,8 @@ std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair) {
     return "contact.zones: where the sides cannot lift off there are no zones of contact to find";
   return "";
 }
+
+template std::string law_message(const Scene<2>&, const ContactPair<2>&);
+template std::string law_message(const Scene<3>&, const ContactPair<3>&);
 
 }  // namespace bracket::scene

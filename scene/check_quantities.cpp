@@ -12,7 +12,7 @@ namespace bracket::scene {
 
 namespace {
 
-std::string fault_in(const Quantity<2>& quantity) {
+template <int dim> std::string fault_in(const Quantity<dim>& quantity) {
   using enum QuantityKind;
   const bool directed = quantity.kind == displacement || quantity.kind == body || quantity.kind == reaction;
   if (quantity.kind != energy && quantity.of.empty()) return "it does not say of what";
@@ -23,11 +23,13 @@ std::string fault_in(const Quantity<2>& quantity) {
   if ((quantity.stretch || quantity.weight) && !of_contact)
     return "only forces and openings of contacts have a stretch or a weight";
   if (quantity.stretch && quantity.weight) return "either a stretch or a weight";
+  if (dim == 3 && quantity.kind == rotation) return "a rotation is asked for in the plane only";
+  if (dim == 3 && quantity.stretch) return "a stretch by arc length is one of the plane; in space write a weight";
   if (!(quantity.target >= 0)) return fmt::format("its target must not be negative, is {}", quantity.target);
   if (!(quantity.absolute >= 0))
     return fmt::format("its absolute target must not be negative, is {}", quantity.absolute);
   std::vector<double> numbers = {quantity.target, quantity.absolute};
-  if (quantity.direction) numbers.insert(numbers.end(), {(*quantity.direction)[0], (*quantity.direction)[1]});
+  if (quantity.direction) numbers.insert(numbers.end(), quantity.direction->begin(), quantity.direction->end());
   if (quantity.stretch) numbers.insert(numbers.end(), {quantity.stretch->from, quantity.stretch->to});
   for (const double number : numbers)
     if (const std::string message = size_message(number, "a number"); !message.empty()) return message;
@@ -36,10 +38,10 @@ std::string fault_in(const Quantity<2>& quantity) {
 
 }  // namespace
 
-std::optional<Fault> quantity_fault(const Scene<2>& scene) {
+template <int dim> std::optional<Fault> quantity_fault(const Scene<dim>& scene) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
-    const Quantity<2>& quantity = scene.quantities[i];
+    const Quantity<dim>& quantity = scene.quantities[i];
     const std::vector<std::string> key = {"quantity", std::to_string(i)};
     if (quantity.name.empty()) return Fault{key, "a quantity has no name", quantity.where};
     if (std::find(names.begin(), names.end(), quantity.name) != names.end())
@@ -51,12 +53,14 @@ std::optional<Fault> quantity_fault(const Scene<2>& scene) {
   }
   std::set<std::string> contacts;
   for (std::size_t i = 0; i < scene.contact.size(); ++i) {
-    const ContactPair<2>& pair = scene.contact[i];
+    const ContactPair<dim>& pair = scene.contact[i];
     const std::vector<std::string> key = {"contact", std::to_string(i)};
     if (!pair.name.empty() && !contacts.insert(pair.name).second)
       return Fault{key, fmt::format("two contacts are called '{}'", pair.name), pair.where};
     if (pair.zones < 0)
       return Fault{key, fmt::format("contact.zones must not be negative, is {}", pair.zones), pair.where};
+    if (dim == 3 && pair.zones > 0)
+      return Fault{key, "contact.zones are stretches of lines; in space there are none: leave it out", pair.where};
   }
   if (!scene.refine.goal.empty() && std::find(names.begin(), names.end(), scene.refine.goal) == names.end())
     return Fault{{"refine", "goal"},
@@ -65,5 +69,8 @@ std::optional<Fault> quantity_fault(const Scene<2>& scene) {
                  scene.file};
   return {};
 }
+
+template std::optional<Fault> quantity_fault(const Scene<2>&);
+template std::optional<Fault> quantity_fault(const Scene<3>&);
 
 }  // namespace bracket::scene

@@ -18,25 +18,25 @@ struct Fault {
 };
 
 /// Of the constants that isotropic() is given; key: E or nu.
-std::optional<Fault> isotropic_fault(double young, double poisson, Plane plane);
+template <int dim> std::optional<Fault> isotropic_fault(double young, double poisson, Plane plane);
 /// Of the matrix that anisotropic() is given; no key.
-std::optional<Fault> anisotropic_fault(const Elasticity<2>& stiffness);
+template <int dim> std::optional<Fault> anisotropic_fault(const Elasticity<dim>& stiffness);
 
 /// Of the blocks and the mesh file, and of bodies that no block makes.
-std::optional<Fault> mesh_fault(const Scene<2>& scene);
+template <int dim> std::optional<Fault> mesh_fault(const Scene<dim>& scene);
 /// Of a body that none of the blocks makes, where there are blocks.
-std::optional<Fault> unmade_body(const std::vector<Block<2>>& blocks, const std::string& body);
+template <int dim> std::optional<Fault> unmade_body(const std::vector<Block<dim>>& blocks, const std::string& body);
 
 /// What is wrong with the law of a contact pair; empty: nothing.
-std::string law_message(const Scene<2>& scene, const ContactPair<2>& pair);
+template <int dim> std::string law_message(const Scene<dim>& scene, const ContactPair<dim>& pair);
 
 /// Of quantities, names of contacts, and the goal of refinement.
-std::optional<Fault> quantity_fault(const Scene<2>& scene);
+template <int dim> std::optional<Fault> quantity_fault(const Scene<dim>& scene);
 
 /// The first fault of a scene that needs no mesh to be seen.
-std::optional<Fault> fault_of(const Scene<2>& scene);
+template <int dim> std::optional<Fault> fault_of(const Scene<dim>& scene);
 /// The same of a scene whose mesh is given: it may have neither blocks nor a mesh file.
-std::optional<Fault> fault_beside_mesh(const Scene<2>& scene);
+template <int dim> std::optional<Fault> fault_beside_mesh(const Scene<dim>& scene);
 
 /// \throw Error (input) with the fault's place and message, if there is one
 void throw_if(const std::optional<Fault>& fault);

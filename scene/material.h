@@ -8,7 +8,8 @@
 
 namespace bracket::scene {
 
-/// Young's modulus (force by area), Poisson's ratio, and whether the plane problem is one of plane strain or stress.
+/// Young's modulus (force by area), Poisson's ratio, and whether a plane problem is one of plane strain or stress; in
+/// space it is strain.
 struct IsotropicConstants {
   double young, poisson;
   Plane plane;
@@ -40,6 +41,10 @@ template <int dim> class Material {
 /// \throw Error (input) unless E > 0 and −1 < ν < ½ (plane stress: −1 < ν ≤ ½), and all entries of both matrices are
 ///        within the range of a double
 template <int dim> Material<dim> isotropic(double young, double poisson, Plane plane);
+template <int dim>
+requires(dim == 3) Material<dim> isotropic(double young, double poisson) {
+  return isotropic<dim>(young, poisson, Plane::strain);
+}
 
 /// \param stiffness its upper triangle counts where it is symmetric but for rounding
 /// \throw Error (input) unless it is finite, symmetric within 64 ε of its largest entry, and positive definite: the

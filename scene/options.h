@@ -10,7 +10,7 @@ namespace bracket::scene {
 enum class Plane { strain, stress };
 enum class ConditionKind { fixed, sliding, traction, pressure };
 enum class Strategy { none, uniform, adaptive };
-enum class Dual { hybrid, uzawa };
+enum class Dual { hybrid, uzawa, local };
 enum class Law { frictionless, bonded, bilateral, winkler, tresca, coulomb };
 enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy };
 enum class StressComponent { xx, yy, xy, mean };
@@ -20,7 +20,7 @@ template <class Option> inline constexpr std::array<const char*, 0> option_names
 template <> inline constexpr std::array option_names<Plane>{"strain", "stress"};
 template <> inline constexpr std::array option_names<ConditionKind>{"fixed", "sliding", "traction", "pressure"};
 template <> inline constexpr std::array option_names<Strategy>{"none", "uniform", "adaptive"};
-template <> inline constexpr std::array option_names<Dual>{"hybrid", "uzawa"};
+template <> inline constexpr std::array option_names<Dual>{"hybrid", "uzawa", "local"};
 template <>
 inline constexpr std::array option_names<Law>{"frictionless", "bonded", "bilateral", "winkler", "tresca", "coulomb"};
 template <>

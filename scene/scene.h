@@ -22,9 +22,11 @@
 /// formulations see.
 namespace bracket::scene {
 
-/// A built-in rectangle of cells[0] × cells[1] squares, each cut in two by the diagonal from its lower left.
-/// Its boundary parts are "body.left", ".right", ".bottom" and ".top". Blocks of one body share whole sides, cut in the
-/// same edges; they are one piece, and parts of one name one part.
+/// A built-in rectangle of cells[0] × cells[1] squares, each cut in two by the diagonal from its lower left, or, in
+/// space, a box of cuboids, each cut in six along the diagonal from its lowest corner (Kuhn). Its boundary parts are
+/// "body.left", ".right" along x, ".bottom" and ".top" along y, in space ".back" and ".front" along z: the front is
+/// where z is larger. Blocks of one body share whole sides, cut alike; they are one piece, and parts of one name one
+/// part.
 template <int dim> struct Block {
   std::string body;
   std::array<std::array<double, 2>, dim> range;  ///< {x from, to}, {y from, to}
@@ -33,9 +35,9 @@ template <int dim> struct Block {
   std::string name = {};   ///< not empty: its parts are "body.name.left", …
 };
 
-/// Triangles of one's own, in place of blocks and mesh files. They are treated as those of a file: clockwise ones are
-/// turned, vertices without a cell left out, bodies that share vertices joined or, along the lines of a contact pair,
-/// separated.
+/// Triangles or tetrahedra of one's own, in place of blocks and mesh files. They are treated as those of a file:
+/// clockwise ones, or those that are inside out, are turned, vertices without a cell left out, bodies that share
+/// vertices joined or, along the sides of a contact pair, separated.
 template <int dim> struct GivenMesh {
   std::vector<Vector<dim>> vertices;
   std::vector<std::array<int, dim + 1>> cells;                          ///< places in `vertices`
@@ -66,12 +68,17 @@ struct CircleObstacle {
   Circle circle;
   bool inside = false;  ///< whether the bodies are in it
 };
+/// In space. Contact acts against its normal.
+struct PlaneObstacle {
+  Vector<3> point;
+  Vector<3> normal;  ///< to the side of the bodies, of any length
+};
 
 /// One side of a contact: boundary parts, by name. As a second side also "rigid" alone, a wall along the first, or an
 /// obstacle.
 struct Side {
   std::vector<std::string> parts;
-  std::variant<std::monostate, LineObstacle, CircleObstacle> obstacle = {};
+  std::variant<std::monostate, LineObstacle, CircleObstacle, PlaneObstacle> obstacle = {};
 
   Side() = default;
   Side(const char* part) : parts{part} {}
@@ -79,11 +86,12 @@ struct Side {
   Side(std::vector<std::string> of) : parts(std::move(of)) {}
   Side(LineObstacle of) : obstacle(std::move(of)) {}
   Side(CircleObstacle of) : obstacle(std::move(of)) {}
+  Side(PlaneObstacle of) : obstacle(std::move(of)) {}
 };
 bool is_rigid(const Side& side);
 bool is_wall(const Side& side);  ///< "rigid" or an obstacle
 bool contains(const Side& side, const std::string& part);
-std::string name(const Side& side);  ///< "a", "a, b", "a rigid wall", "a line", "a circle"
+std::string name(const Side& side);  ///< "a", "a, b", "a rigid wall", "a line", "a circle", "a plane"
 
 /// A contact pair. The sides need not be cut alike, coincide or be equally long: what does not face the
 /// other side is free. The gap is measured from the first side to the second, ≥ 0 open, < 0 interference, and its
@@ -134,9 +142,10 @@ struct Refine {
 };
 
 struct Solve {
-  int degree = 2;  ///< of the displacements, 1 to 4; stresses have one less, at least 1
-  Dual dual = Dual::hybrid;
+  int degree = 2;            ///< of the displacements, 1 to 4; stresses have one less, at least 1
+  Dual dual = Dual::hybrid;  ///< in space local, the only one there
 };
+template <int dim> Solve default_solve() { return {2, dim == 2 ? Dual::hybrid : Dual::local}; }
 
 /// The degree of displacements that comes to a target at about the least cost, at most 1.3 times that of the best one
 /// in what was measured (docs/performance.md). \param target relative error bound; 0: none asked   \param cells of the
@@ -163,13 +172,19 @@ template <int dim> struct Scene {
   std::vector<Bond> bonds;
   std::vector<Quantity<dim>> quantities;
   Refine refine;
-  Solve solve;
+  Solve solve = default_solve<dim>();
 };
 
 /// Reads and checks a scene file (TOML). `overrides` are "key=value" lines that replace or add keys before checking.
 /// \throw Error (input), with file, line and column and, for a misspelt key, the nearest known one
 template <int dim>
 Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// 2 or 3: as a scene file says by `dim`, else as its mesh file does, which has tetrahedra or has none; 2 where neither
+/// tells. \throw Error (input) as read_scene() for what is no scene file, or another dim
+int dimension_of(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// Of a mesh file: 3 if it has tetrahedra. \throw Error as read_mesh()
+int dimension_of_mesh(const std::filesystem::path& file);
 
 /// Checks all that can be said of a scene without its mesh: that it has blocks, a mesh file or a given one, and one
 /// block for each body; that materials are made for its plane; as many functions as each condition needs; contact pairs
@@ -179,10 +194,16 @@ Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::
 /// the first fault
 template <int dim> void check(const Scene<dim>& scene);
 /// The part of it that concerns the settings alone.
-void check_settings(const Refine& refine, const Solve& solve);
+template <int dim = 2> void check_settings(const Refine& refine, const Solve& solve);
 /// \throw Error (input) unless displacements of this degree are known: 1 to 4
 void check_degree(int degree);
 
+/// How many cells a block is cut into.
+template <int dim> double cells_of(const Block<dim>& block) {
+  double cells = dim == 2 ? 2 : 6;
+  for (const int along : block.cells) cells *= along;
+  return cells;
+}
 /// How many cells the blocks, the mesh file or the given mesh have, but for cuts along contact sides; infinite where
 /// the file cannot be read, which build_mesh() then tells.
 template <int dim> double cells_of(const Scene<dim>& scene);

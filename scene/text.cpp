@@ -55,6 +55,8 @@ std::string suggestion(const std::string& name, std::span<const std::string> kno
 
 std::string point(const Vector<2>& x) { return fmt::format("({:.7g}, {:.7g})", x[0], x[1]); }
 
+std::string point(const Vector<3>& x) { return fmt::format("({:.7g}, {:.7g}, {:.7g})", x[0], x[1], x[2]); }
+
 std::string read_text(const std::filesystem::path& file) {
   std::error_code error;
   const auto type = std::filesystem::status(file, error).type();

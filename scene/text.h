@@ -20,6 +20,7 @@ std::string suggestion(const std::string& name, std::span<const std::string> kno
 
 /// "(0.5, 1)"
 std::string point(const Vector<2>& x);
+std::string point(const Vector<3>& x);
 
 /// A whole file.
 /// \throw Error (input) if it does not exist, is a directory or cannot be read

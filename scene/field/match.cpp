@@ -8,6 +8,7 @@
 
 #include "scene/field/boxes.h"
 #include "scene/field/raw_field.h"
+#include "scene/mesh/topology.h"
 #include "scene/text.h"
 
 namespace bracket::scene {

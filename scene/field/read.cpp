@@ -58,7 +58,7 @@ RawField raw_field_of(const NodalDisplacement& given, const std::string& name) {
 
 void refuse(const RawField& field, int node, const std::string& message) {
   const RawMesh::Node& at = field.nodes[node];
-  const std::string place = point({at.x[0], at.x[1]});
+  const std::string place = point(Vector<2>(at.x[0], at.x[1]));
   if (field.word == "line")
     fail(Status::input, fmt::format("{}:{}", field.file, at.tag), "the point " + place + " " + message);
   fail(Status::input, field.file, fmt::format("the {} {} at {} {}", field.word, at.tag, place, message));

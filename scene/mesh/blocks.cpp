@@ -1,8 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: rectangles of triangles.
 #include <algorithm>
 #include <map>
-#include <tuple>
+#include <numeric>
 
 #include "scene/mesh/bonds.h"
 #include "scene/mesh/readers.h"
@@ -13,22 +12,6 @@ namespace bracket::scene {
 
 namespace {
 
-/// The boundary edges of a grid of nx × ny squares with these vertices, row by row; of the parts in the order left,
-/// right, bottom, top.
-std::vector<PartEdge> grid_boundary(const std::vector<int>& vertices, int nx, int ny, const std::array<int, 4>& parts) {
-  const auto vertex = [&](int i, int j) { return vertices[j * (nx + 1) + i]; };
-  std::vector<PartEdge> edges;
-  for (int j = 0; j < ny; ++j) {
-    edges.push_back({{vertex(0, j), vertex(0, j + 1)}, parts[0]});
-    edges.push_back({{vertex(nx, j), vertex(nx, j + 1)}, parts[1]});
-  }
-  for (int i = 0; i < nx; ++i) {
-    edges.push_back({{vertex(i, 0), vertex(i + 1, 0)}, parts[2]});
-    edges.push_back({{vertex(i, ny), vertex(i + 1, ny)}, parts[3]});
-  }
-  return edges;
-}
-
 /// The place of a name in the list, to which it is added if it is not there.
 int place_of(const std::string& name, std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -38,58 +21,119 @@ int place_of(const std::string& name, std::vector<std::string>& names) {
 }
 
 /// Without those that two blocks of a body share.
-std::vector<PartEdge> outer(const std::vector<PartEdge>& edges) {
-  std::map<std::array<int, 2>, int> times;
-  const auto key = [](const PartEdge& edge) {
-    return std::array{std::ranges::min(edge.vertices), std::ranges::max(edge.vertices)};
+template <int dim> std::vector<PartFacet<dim>> outer(const std::vector<PartFacet<dim>>& facets) {
+  std::map<std::array<int, dim>, int> times;
+  const auto key = [](const PartFacet<dim>& facet) {
+    std::array<int, dim> vertices = facet.vertices;
+    std::ranges::sort(vertices);
+    return vertices;
   };
-  for (const PartEdge& edge : edges) ++times[key(edge)];
-  std::vector<PartEdge> result;
-  for (const PartEdge& edge : edges)
-    if (times[key(edge)] == 1) result.push_back(edge);
+  for (const PartFacet<dim>& facet : facets) ++times[key(facet)];
+  std::vector<PartFacet<dim>> result;
+  for (const PartFacet<dim>& facet : facets)
+    if (times[key(facet)] == 1) result.push_back(facet);
   return result;
 }
 
-Mesh<2> build_blocks(const std::vector<Block<2>>& blocks, const std::string& where) {
-  Mesh<2> mesh;
-  std::vector<PartEdge> part_edges;
-  std::map<std::tuple<int, double, double>, int> on_sides;  // vertices of each body, which blocks may share
-  for (const Block<2>& block : blocks) {
-    const auto [nx, ny] = block.cells;
+template <int dim> using Place = std::array<int, dim>;  // in a grid, along each axis
+
+/// All places of a grid, along the first axis first.
+template <int dim> std::vector<Place<dim>> places(const Place<dim>& counts) {
+  std::vector<Place<dim>> result;
+  for (Place<dim> at{}; at[dim - 1] < counts[dim - 1];) {
+    result.push_back(at);
+    ++at[0];
+    for (int axis = 0; axis + 1 < dim && at[axis] == counts[axis]; ++axis) {
+      at[axis] = 0;
+      ++at[axis + 1];
+    }
+  }
+  return result;
+}
+
+/// The simplices into which a cube falls along its diagonal from (0, …, 0) to (1, …, 1), one for each order of the axes
+/// in which steps lead there (Kuhn), positively oriented.
+template <int dim> std::vector<std::array<Place<dim>, dim + 1>> simplices_of_cube() {
+  std::vector<std::array<Place<dim>, dim + 1>> result;
+  Place<dim> order;
+  std::iota(order.begin(), order.end(), 0);
+  do {
+    std::array<Place<dim>, dim + 1> corners{};
+    bool odd = false;
+    for (int step = 0; step < dim; ++step) {
+      corners[step + 1] = corners[step];
+      corners[step + 1][order[step]] = 1;
+      for (int before = 0; before < step; ++before) odd ^= order[before] > order[step];
+    }
+    if (odd) std::swap(corners[dim - 1], corners[dim]);
+    result.push_back(corners);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return result;
+}
+
+template <int dim> Mesh<dim> build_blocks(const std::vector<Block<dim>>& blocks, const std::string& where) {
+  Mesh<dim> mesh;
+  std::vector<PartFacet<dim>> part_facets;
+  const auto simplices = simplices_of_cube<dim>();
+  std::map<std::pair<int, std::array<double, dim>>, int> on_sides;  // vertices of each body, which blocks may share
+  for (const Block<dim>& block : blocks) {
     const int body = place_of(block.body, mesh.bodies);
     const auto at = [&](int axis, int i) {  // exact at both ends, so that blocks meet
       const auto& [from, to] = block.range[axis];
       const int n = block.cells[axis];
       return i == n ? to : from + (to - from) * i / n;
     };
+    Place<dim> counts = block.cells;
+    for (int& count : counts) ++count;
     std::vector<int> vertices;
-    for (int j = 0; j <= ny; ++j) {
-      for (int i = 0; i <= nx; ++i) {
-        const int next = static_cast<int>(mesh.vertices.size());
-        const bool inside = i > 0 && i < nx && j > 0 && j < ny;
-        vertices.push_back(inside ? next : on_sides.try_emplace({body, at(0, i), at(1, j)}, next).first->second);
-        if (vertices.back() == next) mesh.vertices.push_back({at(0, i), at(1, j)});
+    for (const Place<dim>& place : places<dim>(counts)) {
+      const int next = static_cast<int>(mesh.vertices.size());
+      bool inside = true;
+      std::array<double, dim> x;
+      for (int axis = 0; axis < dim; ++axis) {
+        inside = inside && place[axis] > 0 && place[axis] < block.cells[axis];
+        x[axis] = at(axis, place[axis]);
       }
+      vertices.push_back(inside ? next : on_sides.try_emplace({body, x}, next).first->second);
+      if (vertices.back() == next) mesh.vertices.push_back(Vector<dim>(x.data()));
     }
-    for (int j = 0; j < ny; ++j) {
-      for (int i = 0; i < nx; ++i) {
-        const int* corner = &vertices[j * (nx + 1) + i];
-        mesh.cells.push_back({corner[0], corner[1], corner[nx + 2]});
-        mesh.cells.push_back({corner[0], corner[nx + 2], corner[nx + 1]});
+    std::array<std::array<int, 2>, dim> parts;
+    for (int axis = 0; axis < dim; ++axis)
+      for (int end = 0; end < 2; ++end) {
+        static constexpr std::array<std::array<const char*, 2>, 3> names = {
+            {{".left", ".right"}, {".bottom", ".top"}, {".back", ".front"}}};
+        parts[axis][end] =
+            place_of(block.body + (block.name.empty() ? "" : "." + block.name) + names[axis][end], mesh.parts);
       }
-    }
+    for (const Place<dim>& cube : places<dim>(block.cells))
+      for (std::array<Place<dim>, dim + 1> corners : simplices) {
+        std::array<int, dim + 1> cell;
+        for (int k = 0; k <= dim; ++k) {
+          int place = 0;
+          for (int axis = dim; axis-- > 0;) place = place * counts[axis] + (corners[k][axis] += cube[axis]);
+          cell[k] = vertices[place];
+        }
+        mesh.cells.push_back(cell);
+        for (const auto& facet : Simplex<dim>::facets)
+          for (int axis = 0; axis < dim; ++axis)
+            for (int end = 0; end < 2; ++end) {
+              const auto on_side = [&](int k) { return corners[k][axis] == end * block.cells[axis]; };
+              if (!std::all_of(facet.begin(), facet.end(), on_side)) continue;
+              part_facets.push_back({{}, parts[axis][end]});
+              for (int i = 0; i < dim; ++i) part_facets.back().vertices[i] = cell[facet[i]];
+            }
+      }
     mesh.cell_body.resize(mesh.cells.size(), body);
-    std::array<int, 4> parts;
-    for (int side = 0; side < 4; ++side) {
-      static constexpr std::array<const char*, 4> names = {".left", ".right", ".bottom", ".top"};
-      parts[side] = place_of(block.body + (block.name.empty() ? "" : "." + block.name) + names[side], mesh.parts);
-    }
-    for (const PartEdge& edge : grid_boundary(vertices, nx, ny, parts)) part_edges.push_back(edge);
   }
-  return with_topology(std::move(mesh), outer(part_edges), where);
+  return with_topology(std::move(mesh), outer<dim>(part_facets), where);
 }
 
 /// As build_mesh(), before sides are joined.
+Mesh<3> with_bonds_open(const Scene<3>& scene) {
+  if (scene.given) return mesh_of_given(*scene.given, scene.mesh_where);
+  if (!scene.blocks.empty()) return build_blocks(scene.blocks, scene.mesh_where);
+  fail(Status::mesh, scene.mesh_where, "mesh files of three dimensions are not read yet");
+}
 Mesh<2> with_bonds_open(const Scene<2>& scene) {
   if (scene.given) return mesh_of(raw_mesh_of(*scene.given), scene, scene.mesh_where);
   if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
@@ -107,12 +151,12 @@ Mesh<2> with_bonds_open(const Scene<2>& scene) {
 }  // namespace
 
 template <int dim> Mesh<dim> build_mesh(const Scene<dim>& scene) {
-  static_assert(dim == 2);
   check(scene);
   return bonded(with_bonds_open(scene), scene.bonds,
                 scene.mesh_file.empty() ? scene.mesh_where : scene.mesh_file.string());
 }
 
 template Mesh<2> build_mesh(const Scene<2>&);
+template Mesh<3> build_mesh(const Scene<3>&);
 
 }  // namespace bracket::scene

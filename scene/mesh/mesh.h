@@ -24,6 +24,12 @@ template <int dim> struct Mesh {
   std::vector<std::array<int, 2>> edges;                           ///< vertices, the lower index first
   std::vector<std::array<int, Simplex<dim>::n_edges>> cell_edges;  ///< in the order of Simplex::edges
   std::vector<char> refinement_edge;  ///< of each cell: which of its edges bisection cuts first
+  /// In space, what bisection goes by besides: see scene/mesh/space/bisection.h.
+  struct Marks {
+    std::array<char, dim + 1> facet;  ///< of each facet of a cell the edge at which it is cut first
+    bool flagged = false;
+  };
+  std::vector<Marks> marks;  ///< of each cell; empty: each facet's longest edge, in the order of longest_edges()
   /// Of each cell the numbers of its facets; empty in the plane, where they are those of the edges. See cell_facets().
   std::vector<std::array<int, dim + 1>> facet_numbers;
   int facet_count = 0;  ///< in space: how many facets there are
@@ -78,17 +84,18 @@ std::array<Vector<dim>, n> positions(const Mesh<dim>& mesh, const std::array<int
   return x;
 }
 
-/// Counts and shape of a mesh. Angles in degrees.
+/// Counts and shape of a mesh. Angles in degrees, in space those between facets.
 struct Quality {
   double smallest_angle = 180;
   double largest_angle = 0;
-  double smallest_area = 0;
+  double smallest_area = 0;  ///< of cells; in space their volumes
   double largest_area = 0;
+  double smallest_shape = 1;  ///< in space: 12 (3 |K|)^(2/3) / Σ |e|² over a cell's edges, 1 of a regular tetrahedron
 };
 template <int dim> Quality quality(const Mesh<dim>& mesh);
 
-template <int dim> double volume(const Mesh<dim>& mesh, int cell);        ///< area of a cell
-template <int dim> double length(const Mesh<dim>& mesh, int facet);       ///< of a boundary facet
+template <int dim> double volume(const Mesh<dim>& mesh, int cell);        ///< of a cell: in the plane its area
+template <int dim> double length(const Mesh<dim>& mesh, int facet);       ///< of a boundary facet: in space its area
 template <int dim> Vector<dim> normal(const Mesh<dim>& mesh, int facet);  ///< unit outward normal of a boundary facet
 
 }  // namespace bracket::scene

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "scene/mesh/angles.h"
+#include "scene/mesh/space/tetrahedron.h"
 #include "scene/scene.h"
 
 namespace bracket::scene {
@@ -20,24 +21,35 @@ template <int dim> Vector<dim> normal(const Mesh<dim>& mesh, int facet) {
 }
 
 template <int dim> Quality quality(const Mesh<dim>& mesh) {
-  static_assert(dim == 2);
   Quality result;
   result.smallest_area = mesh.cells.empty() ? 0 : std::numeric_limits<double>::infinity();
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    const double area = volume(mesh, static_cast<int>(cell));
-    result.smallest_area = std::min(result.smallest_area, area);
-    result.largest_area = std::max(result.largest_area, area);
-    for (const double angle : angles(positions(mesh, mesh.cells[cell]))) {
-      result.smallest_angle = std::min(result.smallest_angle, angle);
-      result.largest_angle = std::max(result.largest_angle, angle);
+    const double size = volume(mesh, static_cast<int>(cell));
+    result.smallest_area = std::min(result.smallest_area, size);
+    result.largest_area = std::max(result.largest_area, size);
+    const auto corners = positions(mesh, mesh.cells[cell]);
+    const auto include = [&](const auto& of_cell) {
+      for (const double angle : of_cell) {
+        result.smallest_angle = std::min(result.smallest_angle, angle);
+        result.largest_angle = std::max(result.largest_angle, angle);
+      }
+    };
+    if constexpr (dim == 2) include(angles(corners));
+    if constexpr (dim == 3) {
+      include(dihedral_angles(corners));
+      result.smallest_shape = std::min(result.smallest_shape, shape(corners));
     }
   }
   return result;
 }
 
 template double volume(const Mesh<2>&, int);
+template double volume(const Mesh<3>&, int);
 template double length(const Mesh<2>&, int);
+template double length(const Mesh<3>&, int);
 template Vector<2> normal(const Mesh<2>&, int);
+template Vector<3> normal(const Mesh<3>&, int);
 template Quality quality(const Mesh<2>&);
+template Quality quality(const Mesh<3>&);
 
 }  // namespace bracket::scene

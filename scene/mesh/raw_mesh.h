@@ -69,9 +69,6 @@ struct Triangles {
 /// \throw Error (mesh): no cells, not plane, merged nodes of one cell
 Triangles triangles_of(const RawMesh& raw, double merge, const std::string& where);
 
-/// Of each point, the first of those that it can be reached from by steps of at most `distance`.
-std::vector<int> merged(const std::vector<Vector<2>>& points, double distance);
-
 /// Fills the bodies of a mesh whose cells are given.
 /// \throw Error (mesh): a cell in no set, or in two that are both materials of the scene
 Mesh<2> with_bodies(Mesh<2> mesh, const RawMesh& raw, const std::vector<int>& origin, const Scene<2>& scene,

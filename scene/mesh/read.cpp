@@ -67,6 +67,11 @@ RawMesh read_raw_mesh(const std::filesystem::path& file) {
   return read_gmsh(file);
 }
 
+int dimension_of_mesh(const std::filesystem::path& file) {
+  read_raw_mesh(file);
+  return 2;  // of space none is read
+}
+
 template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file) {
   static_assert(dim == 2);
   return mesh_of(read_raw_mesh(file), Scene<dim>{}, file.string());

@@ -3,15 +3,11 @@
 #include "scene/mesh/topology.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <set>
 
 #include "scene/mesh/raw_mesh.h"
 #include "scene/text.h"
@@ -27,11 +23,6 @@ struct CellEdge {
 };
 
 std::array<int, 2> ends(const Mesh<2>& mesh, int slot) { return facet_vertices(mesh, slot / 3, slot % 3); }
-
-Vector<2> centre(const Mesh<2>& mesh, int cell) {
-  const auto& [a, b, c] = mesh.cells[cell];
-  return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
-}
 
 std::string edge_at(const Mesh<2>& mesh, const std::array<int, 2>& edge) {
   return fmt::format("from {} to {}", point(mesh.vertices[edge[0]]), point(mesh.vertices[edge[1]]));
@@ -75,63 +66,8 @@ void check_neighbours(const Mesh<2>& mesh, const CellEdge* sides, std::ptrdiff_t
        fmt::format("{} at the edge {}", count > 2 ? "more than two cells meet" : "cells overlap", edge_at(mesh, edge)));
 }
 
-/// Bisection cuts the longest edge of each coarse cell first: the shapes of its descendants are then the best. Among
-/// equals, the one with the lowest number, so that neighbours agree.
-std::vector<char> longest_edges(const Mesh<2>& mesh) {
-  std::vector<char> longest;
-  longest.reserve(mesh.cells.size());
-  for (const auto& edges : mesh.cell_edges) {
-    const auto rank = [&](int edge) {
-      const auto& [a, b] = mesh.edges[edge];
-      return std::pair((mesh.vertices[b] - mesh.vertices[a]).squaredNorm(), -edge);
-    };
-    longest.push_back(static_cast<char>(std::ranges::max_element(edges, {}, rank) - edges.begin()));
-  }
-  return longest;
-}
-
-/// The components and their names, in the order of their first bodies.
-Mesh<2> with_components(Mesh<2> mesh) {
-  const int cells = static_cast<int>(mesh.cells.size());
-  std::vector<int> ranks(cells), parents(cells);
-  std::iota(parents.begin(), parents.end(), 0);
-  boost::disjoint_sets<int*, int*> connected(ranks.data(), parents.data());
-  std::vector<int> first(n_facets(mesh), -1);
-  for (int cell = 0; cell < cells; ++cell) {
-    for (const int facet : cell_facets(mesh, cell)) {
-      if (first[facet] == -1) first[facet] = cell;
-      connected.union_set(first[facet], cell);
-    }
-  }
-  std::map<int, std::set<int>> bodies;  // of each set, by its representative
-  for (int cell = 0; cell < cells; ++cell) bodies[connected.find_set(cell)].insert(mesh.cell_body[cell]);
-  std::vector<std::pair<std::set<int>, int>> sets;
-  for (const auto& [representative, of] : bodies) sets.emplace_back(of, representative);
-  std::ranges::sort(sets);
-  std::vector<int> number(cells, -1);
-  for (const auto& [of, representative] : sets) {
-    number[representative] = static_cast<int>(mesh.components.size());
-    std::vector<std::string> names;
-    for (const int body : of) names.push_back(mesh.bodies[body]);
-    mesh.components.push_back(fmt::format("{}", fmt::join(names, " + ")));
-  }
-  for (int cell = 0; cell < cells; ++cell) mesh.cell_component.push_back(number[connected.find_set(cell)]);
-  return mesh;
-}
-
-/// Each body must belong to one component, and not hang by a point.
+/// No body may hang by a point.
 void check_connected(const Mesh<2>& mesh, const std::string& where) {
-  std::vector<int> first(mesh.bodies.size(), -1);
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    int& known = first[mesh.cell_body[cell]];
-    if (known == -1) known = cell;
-    if (mesh.cell_component[known] == mesh.cell_component[cell]) continue;
-    const std::string mend = coinciding_nodes(mesh, mesh.cell_body[cell]);
-    fail(Status::mesh, where,
-         fmt::format("the body '{}' falls into pieces: no chain of cells leads from {} to {}; {}",
-                     mesh.bodies[mesh.cell_body[cell]], point(centre(mesh, known)), point(centre(mesh, cell)),
-                     mend.empty() ? "make each a body" : mend));
-  }
   std::vector<int> facets(mesh.vertices.size(), 0);
   for (const auto& facet : mesh.boundary) {
     for (const int vertex : facet.vertices) {
@@ -158,6 +94,19 @@ Mesh<2> with_parts(Mesh<2> mesh, const std::vector<PartEdge>& part_edges) {
 }
 
 }  // namespace
+
+std::vector<char> longest_edges(const Mesh<2>& mesh) {
+  std::vector<char> longest;
+  longest.reserve(mesh.cells.size());
+  for (const auto& edges : mesh.cell_edges) {
+    const auto rank = [&](int edge) {
+      const auto& [a, b] = mesh.edges[edge];
+      return std::pair((mesh.vertices[b] - mesh.vertices[a]).squaredNorm(), -edge);
+    };
+    longest.push_back(static_cast<char>(std::ranges::max_element(edges, {}, rank) - edges.begin()));
+  }
+  return longest;
+}
 
 // Sides are put into one bucket per lower vertex, which a few others share: the
 // edges come out sorted, in linear time.
@@ -197,41 +146,12 @@ Mesh<2> with_edges(Mesh<2> mesh, const std::string& where) {
   return mesh;
 }
 
-double coincidence(const Mesh<2>& mesh) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b] : mesh.edges) shortest = std::min(shortest, (mesh.vertices[b] - mesh.vertices[a]).norm());
-  return std::pow(10, std::floor(std::log10(1e-6 * shortest)));
-}
-
-std::string coinciding_nodes(const Mesh<2>& mesh, int body) {
-  std::set<int> of_body;
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-    if (mesh.cell_body[cell] == body) of_body.insert(mesh.cells[cell].begin(), mesh.cells[cell].end());
-  const std::vector<int> vertices(of_body.begin(), of_body.end());
-  std::vector<Vector<2>> points;
-  for (const int vertex : vertices) points.push_back(mesh.vertices[vertex]);
-  const double distance = coincidence(mesh);
-  const std::vector<int> first = merged(points, distance);
-  int count = 0;
-  Vector<2> at = {0, 0};
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i] == static_cast<int>(i)) continue;
-    if (count++ == 0) at = points[i];
-  }
-  if (count == 0) return "";
-  return fmt::format("{} node{} with others, at {} for one; to make them one, write --set mesh.merge={:.0e}", count,
-                     count == 1 ? " coincides" : "s coincide", point(at), distance);
-}
-
 Mesh<2> completed(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
   mesh.refinement_edge = longest_edges(mesh);
   mesh = with_components(std::move(mesh));
+  check_whole(mesh, where);
   check_connected(mesh, where);
   return with_parts(std::move(mesh), part_edges);
-}
-
-Mesh<2> with_topology(Mesh<2> mesh, const std::vector<PartEdge>& part_edges, const std::string& where) {
-  return completed(with_edges(std::move(mesh), where), part_edges, where);
 }
 
 }  // namespace bracket::scene

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 #include "scene/mesh/raw_mesh.h"
+#include "scene/mesh/topology.h"
 #include "scene/text.h"
 
 namespace bracket::scene {
@@ -149,35 +148,6 @@ std::string plural(std::size_t count, const std::string& word) {
 }
 
 }  // namespace
-
-std::vector<int> merged(const std::vector<Vector<2>>& points, double distance) {
-  const int count = static_cast<int>(points.size());
-  std::vector<int> order(count), ranks(count), parents(count);
-  std::iota(order.begin(), order.end(), 0);
-  std::iota(parents.begin(), parents.end(), 0);
-  boost::disjoint_sets<int*, int*> sets(ranks.data(), parents.data());
-  // From left to right in stripes of the distance: those in reach are in the same or one of two neighbours.
-  const double lowest = points.empty() ? 0 : std::ranges::min(points, {}, [](const auto& x) { return x[1]; })[1];
-  std::unordered_map<double, std::vector<int>> stripes;
-  const auto stripe = [&](int i) { return std::floor((points[i][1] - lowest) / distance); };
-  std::ranges::sort(order, {}, [&](int i) { return std::pair(points[i][0], i); });
-  for (const int i : order) {
-    for (const double by : {-1.0, 0.0, 1.0}) {
-      const auto near = stripes.find(stripe(i) + by);
-      if (near == stripes.end()) continue;
-      for (auto j = near->second.rbegin(); j != near->second.rend() && points[i][0] - points[*j][0] <= distance; ++j)
-        if ((points[i] - points[*j]).norm() <= distance) sets.union_set(i, *j);
-    }
-    stripes[stripe(i)].push_back(i);
-  }
-  std::vector<int> first(count, -1), result(count);
-  for (int i = 0; i < count; ++i) {
-    int& of = first[sets.find_set(i)];
-    if (of == -1) of = i;
-    result[i] = of;
-  }
-  return result;
-}
 
 Triangles triangles_of(const RawMesh& raw, double merge, const std::string& where) {
   check_size(raw, where);

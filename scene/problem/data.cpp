@@ -5,6 +5,7 @@
 
 #include "scene/fault.h"
 #include "scene/fields.h"
+#include "scene/mesh/topology.h"
 #include "scene/problem/gap.h"
 #include "scene/problem/laws.h"
 #include "scene/problem/matching.h"
@@ -12,6 +13,8 @@
 #include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
 #include "scene/problem/sides.h"
+#include "scene/problem/space/face_gap.h"
+#include "scene/problem/space/face_values.h"
 #include "scene/problem/support.h"
 #include "scene/range.h"
 #include "scene/text.h"
@@ -20,7 +23,7 @@ namespace bracket::scene {
 
 namespace {
 
-std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
+template <int dim> std::vector<Body<dim>> bodies_of(const Scene<dim>& scene, const Mesh<dim>& mesh) {
   std::vector<std::string> given;
   for (const auto& [name, body] : scene.bodies) {
     given.push_back(name);
@@ -29,7 +32,7 @@ std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
            fmt::format("the mesh has no body '{}': {}", name, suggestion(name, mesh.bodies)));
     }
   }
-  std::vector<Body<2>> bodies;
+  std::vector<Body<dim>> bodies;
   for (const std::string& name : mesh.bodies) {
     const auto body = scene.bodies.find(name);
     if (body == scene.bodies.end()) {
@@ -43,8 +46,8 @@ std::vector<Body<2>> bodies_of(const Scene<2>& scene, const Mesh<2>& mesh) {
 }
 
 /// The condition of each part, null: none.
-std::vector<const Condition<2>*> conditions_of(const Scene<2>& scene, const Mesh<2>& mesh) {
-  std::vector<const Condition<2>*> conditions(mesh.parts.size(), nullptr);
+template <int dim> std::vector<const Condition<dim>*> conditions_of(const Scene<dim>& scene, const Mesh<dim>& mesh) {
+  std::vector<const Condition<dim>*> conditions(mesh.parts.size(), nullptr);
   for (const auto& [name, condition] : scene.boundary) {
     conditions[part_named(mesh, name, condition.where)] = &condition;
   }
@@ -62,20 +65,21 @@ struct Extent {
   double relative() const { return largest > 0 ? error / largest : 0; }
 };
 
-struct FixedFacets {
-  std::vector<FacetData<2>> facets;
+template <int dim> struct FixedFacets {
+  std::vector<FacetData<dim>> facets;
   Extent traction, displacement;
 };
 
 /// Of each facet, whether it slides or touches.
-std::vector<char> directed(const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
-                           const std::vector<ContactFacet>& contact) {
+template <int dim>
+std::vector<char> directed(const Mesh<dim>& mesh, const std::vector<const Condition<dim>*>& conditions,
+                           const std::vector<ContactFacetOf<dim>>& contact) {
   std::vector<char> result(mesh.boundary.size(), 0);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const int part = mesh.boundary[facet].part;
     result[facet] = part != -1 && conditions[part] != nullptr && conditions[part]->kind == ConditionKind::sliding;
   }
-  for (const ContactFacet& pair : contact) {
+  for (const ContactFacetOf<dim>& pair : contact) {
     result[pair.first] = 1;
     if (pair.second != -1) result[pair.second] = 1;
   }
@@ -91,33 +95,53 @@ void set_load(const EdgeLoad& load, ConditionKind kind, std::size_t component, F
   }
 }
 
-FixedFacets fix_facets(const Scene<2>& scene, const Mesh<2>& mesh, const std::vector<const Condition<2>*>& conditions,
-                       const std::vector<ContactFacet>& contact) {
-  FixedFacets fixed;
+void fix_load(const Scene<2>& scene, const std::array<Vector<2>, 2>& x, const Condition<2>& condition, std::size_t i,
+              FacetData<2>& data, Extent& extent) {
+  const EdgeLoad values = project(condition.value[i], x[0], x[1], stress_degree(scene.solve.degree), condition.where);
+  extent.include(values);
+  set_load(values, condition.kind, i, data);
+}
+void fix_load(const Scene<3>&, const Face& x, const Condition<3>& condition, std::size_t i, FacetData<3>& data,
+              Extent& extent) {
+  const FacetValues<3> values = project(condition.value[i], x, condition.where);
+  extent.include(values);
+  for (std::size_t k = 0; k < 3; ++k)
+    (condition.kind == ConditionKind::pressure ? data.pressure[k] : data.traction[k][i]) = values.value[k];
+}
+
+FacetValues<2> interpolated(const std::array<Vector<2>, 2>& x, const Function<2>& given, const std::string& where) {
+  return interpolate_linear(given, x[0], x[1], where);
+}
+FacetValues<3> interpolated(const Face& x, const Function<3>& given, const std::string& where) {
+  return interpolate_linear(given, x, where);
+}
+
+template <int dim>
+FixedFacets<dim> fix_facets(const Scene<dim>& scene, const Mesh<dim>& mesh,
+                            const std::vector<const Condition<dim>*>& conditions,
+                            const std::vector<ContactFacetOf<dim>>& contact) {
+  FixedFacets<dim> fixed;
   fixed.facets.resize(mesh.boundary.size());
-  std::vector<Vector<2>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
+  std::vector<Vector<dim>> normals = shared_normals(mesh, directed(mesh, conditions, contact));
   normals = with_directions_of_contact(scene, std::move(normals), contact);
   for (std::size_t facet = 0; facet < mesh.boundary.size(); ++facet) {
     const auto& [vertices, cell, local, edge, part] = mesh.boundary[facet];
-    FacetData<2>& data = fixed.facets[facet];
+    FacetData<dim>& data = fixed.facets[facet];
     data.normal = normals[facet];
     if (part == -1 || conditions[part] == nullptr) continue;
-    const Condition<2>& condition = *conditions[part];
-    const Vector<2>& a = mesh.vertices[vertices[0]];
-    const Vector<2>& b = mesh.vertices[vertices[1]];
+    const Condition<dim>& condition = *conditions[part];
+    const auto x = positions(mesh, vertices);
     if (condition.kind == ConditionKind::fixed) data.support = Support::fixed;
     if (condition.kind == ConditionKind::sliding) data.support = Support::sliding;
     const bool load = data.support == Support::traction;
     for (std::size_t i = 0; i < condition.value.size(); ++i) {
       if (load) {
-        const EdgeLoad values = project(condition.value[i], a, b, stress_degree(scene.solve.degree), condition.where);
-        fixed.traction.include(values);
-        set_load(values, condition.kind, i, data);
+        fix_load(scene, x, condition, i, data, fixed.traction);
         continue;
       }
-      const EdgeValues<2> values = interpolate_linear(condition.value[i], a, b, condition.where);
+      const FacetValues<dim> values = interpolated(x, condition.value[i], condition.where);
       fixed.displacement.include(values);
-      for (std::size_t end = 0; end < 2; ++end)
+      for (std::size_t end = 0; end < dim; ++end)
         (condition.kind == ConditionKind::fixed ? data.displacement[end][i] : data.normal_displacement[end]) =
             values.value[end];
     }
@@ -137,7 +161,7 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
       problem.gaps[i].function = distance(*circle, problem.facets[facet.first].normal);
       problem.gaps[i].where = pair.where;
     } else if (!pair.gap || !pair.gap->is_enclosed()) {
-      const EdgeValues<3> values =
+      const FacetValues<3> values =
           pair.gap ? interpolate_quadratic(*pair.gap, a, b, pair.where) : drawn_gap(scene, problem, facet);
       const auto& [start, end, middle] = values.value;
       facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
@@ -170,8 +194,45 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
   return gap;
 }
 
-bool samples(const Scene<2>& scene) {
-  const auto sampled = [](const Function<2>& f) { return !f.is_enclosed(); };
+/// The same in space.
+Extent fix_gaps(const Scene<3>& scene, Problem<3>& problem) {
+  Extent gap;
+  problem.gaps.resize(problem.contact.size());
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    ContactFacetOf<3>& facet = problem.contact[i];
+    const ContactPair<3>& pair = scene.contact[facet.pair];
+    const Face face = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
+    if (!pair.gap || !pair.gap->is_enclosed()) {
+      const FacetValues<6> values =
+          pair.gap ? interpolate_quadratic(*pair.gap, face, pair.where) : drawn_gap(scene, problem, facet);
+      facet.lower = facet.upper = values.value;
+      gap.include(values);
+    } else if (const auto quadratic = quadratic_gap(*pair.gap, face)) {
+      facet.lower = quadratic->lower;
+      facet.upper = quadratic->upper;
+    } else if (facet.law.two_sided) {
+      fail(Status::input, pair.where,
+           fmt::format("the gap of '{}' must be quadratic on each face of the first mesh, for its sides keep together "
+                       "along it, and is not on the face at {}",
+                       name(pair.first), point(face[0])));
+    } else {
+      problem.gaps[i].function = *pair.gap;
+      problem.gaps[i].where = pair.where;
+    }
+  }
+  gap.error = std::max(gap.error, make_room(problem));
+  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
+    ContactFacetOf<3>& facet = problem.contact[i];
+    if (problem.gaps[i].function)
+      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<2>(0));
+    for (const FacetQuadratic<3>& c : {facet.lower, facet.upper})
+      for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
+  }
+  return gap;
+}
+
+template <int dim> bool samples(const Scene<dim>& scene) {
+  const auto sampled = [](const Function<dim>& f) { return !f.is_enclosed(); };
   return std::any_of(scene.boundary.begin(), scene.boundary.end(),
                      [&](const auto& part) {
                        return std::any_of(part.second.value.begin(), part.second.value.end(), sampled);
@@ -181,14 +242,14 @@ bool samples(const Scene<2>& scene) {
          });
 }
 
-double bounding_box_diagonal(const Mesh<2>& mesh) {
-  Eigen::AlignedBox2d box;
-  for (const Vector<2>& vertex : mesh.vertices) box.extend(vertex);
+template <int dim> double bounding_box_diagonal(const Mesh<dim>& mesh) {
+  Eigen::AlignedBox<double, dim> box;
+  for (const Vector<dim>& vertex : mesh.vertices) box.extend(vertex);
   return box.diagonal().norm();
 }
 
 /// A mesh of one's own may have sides that the scene means to be bonded, and are not.
-void check_joined(const Scene<2>& scene, const Mesh<2>& mesh) {
+template <int dim> void check_joined(const Scene<dim>& scene, const Mesh<dim>& mesh) {
   for (const Bond& bond : scene.bonds)
     for (const auto& facet : mesh.boundary)
       if (facet.part >= 0 &&
@@ -208,20 +269,21 @@ template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& proble
 }
 
 template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh) {
-  static_assert(dim == 2);
   throw_if(fault_beside_mesh(scene));
   check_joined(scene, mesh);
   Problem<dim> problem;
   problem.bodies = bodies_of(scene, mesh);
   const std::vector<const Condition<dim>*> conditions = conditions_of(scene, mesh);
-  InContact sides = in_contact(scene, std::move(mesh));
+  InContact<dim> sides = in_contact(scene, std::move(mesh));
   problem.contact = std::move(sides.contact);
   problem.mesh = with_sides_joined(std::move(sides.mesh), problem.contact);
+  if constexpr (dim == 3)
+    problem.mesh.refinement_edge = longest_edges(problem.mesh);  // alike on both sides of a contact
   problem.length_scale = bounding_box_diagonal(problem.mesh);
 
-  FixedFacets fixed = fix_facets(scene, problem.mesh, conditions, problem.contact);
+  FixedFacets<dim> fixed = fix_facets(scene, problem.mesh, conditions, problem.contact);
   problem.facets = with_agreement(problem.mesh, std::move(fixed.facets), conditions, fixed.displacement.largest);
-  for (const ContactFacet& facet : problem.contact) {
+  for (const ContactFacetOf<dim>& facet : problem.contact) {
     problem.facets[facet.first].support = Support::contact;
     if (facet.second != -1) problem.facets[facet.second].support = Support::contact;
   }
@@ -238,6 +300,8 @@ template <int dim> Problem<dim> fix_data(const Scene<dim>& scene, Mesh<dim> mesh
 }
 
 template std::vector<int> contacts_by_first(const Problem<2>&);
+template std::vector<int> contacts_by_first(const Problem<3>&);
 template Problem<2> fix_data(const Scene<2>&, Mesh<2>);
+template Problem<3> fix_data(const Scene<3>&, Mesh<3>);
 
 }  // namespace bracket::scene

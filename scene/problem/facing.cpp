@@ -82,14 +82,6 @@ Vector<2> direction(const Vector<2>& first, const Vector<2>& second) {
   return second == -first ? first : Vector<2>((first - second).normalized());
 }
 
-double tolerance(const Mesh<2>& mesh, int facet) {
-  const auto [a, b] = positions(mesh, mesh.boundary[facet].vertices);
-  const double size = std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>()), length = (b - a).norm();
-  const double of_doubles = 8 * std::numeric_limits<double>::epsilon() * size;
-  const double of_digits = std::min(16 * mesh.coordinate_rounding * size, 1e-3 * length);
-  return std::max({1e-6 * length, of_doubles, of_digits});
-}
-
 std::vector<Landing> landings(const Mesh<2>& mesh, const std::vector<Vector<2>>& normals, const std::vector<int>& from,
                               const std::vector<int>& onto, const Arcs& arcs) {
   const Ends own = ends_of(mesh, normals, from, arcs), other = ends_of(mesh, normals, onto, arcs);

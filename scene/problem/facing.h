@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/mesh/curves.h"
+#include "scene/problem/tolerance.h"
 
 namespace bracket::scene {
 
@@ -17,10 +18,6 @@ struct Landing {
 /// The direction along which two sides with these unit outward normals approach each other: (n' − n'')/|n' − n''|, n'
 /// itself where n'' is its opposite.
 Vector<2> direction(const Vector<2>& first, const Vector<2>& second);
-
-/// Distances up to which vertices on and near a facet are one: 1e-6 of its length, and rounding of its coordinates: as
-/// doubles, and in a file of few digits, up to 1e-3 of its length.
-double tolerance(const Mesh<2>& mesh, int facet);
 
 /// For the vertices of the facets `from`, where the nearest of the facets `onto` lies along the direction of both: the
 /// normals at vertices where a side bends by less than 20 degrees are means, and at its ends go on as they did; linear

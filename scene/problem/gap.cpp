@@ -93,9 +93,12 @@ ContactFacet on_piece(const Problem<2>& first, int contact, int one, int other, 
   return facet;
 }
 
-bool has_quadratic_gaps(const Problem<2>& problem) {
+template <int dim> bool has_quadratic_gaps(const Problem<dim>& problem) {
   return std::none_of(first_of(problem).gaps.begin(), first_of(problem).gaps.end(),
-                      [](const GivenGap<2>& gap) { return static_cast<bool>(gap.function); });
+                      [](const GivenGap<dim>& gap) { return static_cast<bool>(gap.function); });
 }
+
+template bool has_quadratic_gaps(const Problem<2>&);
+template bool has_quadratic_gaps(const Problem<3>&);
 
 }  // namespace bracket::scene

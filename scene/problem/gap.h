@@ -36,6 +36,6 @@ ContactFacet on_piece(const Problem<2>& first, int contact, int one, int other, 
 
 /// Whether each gap is one quadratic on each facet of the first mesh, so that refinement nests the cones of admissible
 /// displacements.
-bool has_quadratic_gaps(const Problem<2>& problem);
+template <int dim> bool has_quadratic_gaps(const Problem<dim>& problem);
 
 }  // namespace bracket::scene

@@ -17,7 +17,7 @@ namespace {
 std::array<double, 2> law_on(const ContactPair<2>& pair, const Vector<2>& a, const Vector<2>& b) {
   const std::string called = fmt::format("contact.law.{} of '{}'", name(pair.law), name(pair.first));
   const Function<2>& given = *pair.value;
-  const EdgeValues<2> values = interpolate_linear(given, a, b, pair.where);
+  const FacetValues<2> values = interpolate_linear(given, a, b, pair.where);
   const bool linear = given.is_enclosed() ? [&] {
     const Jet whole = along(given, a, b, 0, 1);
     return !whole.partial && whole.value().is_bounded() && whole.c[2].is_zero();
@@ -62,6 +62,12 @@ std::vector<ContactFacet> with_laws(const Scene<2>& scene, const Mesh<2>& mesh, 
                        "leave a couple; expected sides that lie on each other",
                        name(pair.first), name(pair.second), point(a != d ? a : b)));
   }
+  return contact;
+}
+
+std::vector<ContactFacetOf<3>> with_laws(const Scene<3>& scene, const Mesh<3>&,
+                                         std::vector<ContactFacetOf<3>> contact) {
+  for (ContactFacetOf<3>& facet : contact) facet.law.two_sided = is_two_sided(scene.contact[facet.pair]);
   return contact;
 }
 

@@ -10,5 +10,8 @@ namespace bracket::scene {
 /// one
 ///     is not linear on a facet, the last constant, or if there is friction between sides that do not coincide
 std::vector<ContactFacet> with_laws(const Scene<2>& scene, const Mesh<2>& mesh, std::vector<ContactFacet> contact);
+/// In space there are none but whether sides keep together.
+std::vector<ContactFacetOf<3>> with_laws(const Scene<3>& scene, const Mesh<3>& mesh,
+                                         std::vector<ContactFacetOf<3>> contact);
 
 }  // namespace bracket::scene

@@ -3,6 +3,7 @@
 
 #include "scene/problem/perturbation.h"
 #include "scene/problem/problem.h"
+#include "scene/problem/space/face.h"
 #include "scene/problem/stretch.h"
 
 namespace bracket::scene {
@@ -30,12 +31,15 @@ template <int dim> double pressure_at(const FacetData<dim>& data, double t) {
 
 namespace {
 
+/// The share that a piece is of its facet, exactly.
+double share(const std::array<std::array<double, 1>, 2>& corner) { return corner[1][0] - corner[0][0]; }
+double share(const FacePart& corner) { return share_of_face(corner); }
+
 /// A facet's own outward area vector: of the first mesh's facet, as far from the origin rounding turns small ones.
 template <int dim> Vector<dim> outward(const Problem<dim>& problem, int facet) {
-  static_assert(dim == 2);
   const auto [of, corner] = piece_of_facet(problem, facet);
   const Mesh<dim>& first = first_of(problem).mesh;
-  return (corner[1][0] - corner[0][0]) * area_vector<dim>(positions(first, first.boundary[of].vertices));
+  return share(corner) * area_vector<dim>(positions(first, first.boundary[of].vertices));
 }
 
 }  // namespace
@@ -67,10 +71,13 @@ template <int dim> int degree_of_loads(const Problem<dim>& problem) {
 }
 
 template bool is_loaded(const FacetData<2>&);
+template bool is_loaded(const FacetData<3>&);
+template int degree_of_load(const FacetData<3>&);
 template int degree_of_load(const FacetData<2>&);
 template Vector<2> traction_at(const FacetData<2>&, double);
 template double pressure_at(const FacetData<2>&, double);
 template std::array<Vector<2>, 2> load(const Problem<2>&, int);
+template std::array<Vector<3>, 3> load(const Problem<3>&, int);
 template std::array<Vector<2>, 2> higher_load(const Problem<2>&, int);
 template int degree_of_loads(const Problem<2>&);
 

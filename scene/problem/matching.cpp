@@ -96,7 +96,7 @@ std::optional<std::vector<std::array<int, 2>>> match_sides(const Mesh<2>& mesh, 
   return pairs;
 }
 
-Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact) {
+template <int dim> Mesh<dim> with_sides_joined(Mesh<dim> mesh, const std::vector<ContactFacetOf<dim>>& contact) {
   // A vertex may be in several pairs: all that lie on each other get the same point, that of a first side.
   std::vector<int> ranks(mesh.vertices.size()), parents(mesh.vertices.size());
   std::iota(parents.begin(), parents.end(), 0);
@@ -110,16 +110,16 @@ Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact
   const auto touch = [&](int one, int other, int facet) {
     return (mesh.vertices[one] - mesh.vertices[other]).norm() <= tolerance(mesh, facet);
   };
-  for (const ContactFacet& pair : contact) {
+  for (const ContactFacetOf<dim>& pair : contact) {
     if (pair.second == -1) continue;
     const auto& first = mesh.boundary[pair.first].vertices;
     const auto& second = mesh.boundary[pair.second].vertices;
-    for (int i = 0; i < 2; ++i)
-      if (touch(first[i], second[1 - i], pair.first)) join(first[i], second[1 - i]);
+    for (int i = 0; i < dim; ++i)
+      if (touch(first[i], second[pair.meets[i]], pair.first)) join(first[i], second[pair.meets[i]]);
   }
   double moved = 0;
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-    const Vector<2> x = mesh.vertices[target[sets.find_set(static_cast<int>(vertex))]];
+    const Vector<dim> x = mesh.vertices[target[sets.find_set(static_cast<int>(vertex))]];
     moved = std::max(moved, (x - mesh.vertices[vertex]).norm());
     mesh.vertices[vertex] = x;
   }
@@ -133,5 +133,8 @@ Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact
   }
   return mesh;
 }
+
+template Mesh<2> with_sides_joined(Mesh<2>, const std::vector<ContactFacetOf<2>>&);
+template Mesh<3> with_sides_joined(Mesh<3>, const std::vector<ContactFacetOf<3>>&);
 
 }  // namespace bracket::scene

@@ -14,6 +14,6 @@ std::optional<std::vector<std::array<int, 2>>> match_sides(const Mesh<2>& mesh, 
 
 /// The mesh with the vertices of each second facet that lie within tolerance() of those of the first put on them, to
 /// the last bit; with a note if any of them moved. \throw Error (mesh) if that turns a cell over
-Mesh<2> with_sides_joined(Mesh<2> mesh, const std::vector<ContactFacet>& contact);
+template <int dim> Mesh<dim> with_sides_joined(Mesh<dim> mesh, const std::vector<ContactFacetOf<dim>>& contact);
 
 }  // namespace bracket::scene

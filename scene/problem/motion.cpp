@@ -52,22 +52,44 @@ template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>
   return free;
 }
 
-template <int dim> std::string describe(const RigidMotion<dim>& motion) {
-  static_assert(dim == 2);
+namespace {
+
+template <int dim> std::string rounded(Vector<dim> x, double size) {
+  x = (x.array().abs() < 1e-12 * size).select(0, x);
+  if constexpr (dim == 2)
+    return fmt::format("({:.3g}, {:.3g})", x[0], x[1]);
+  else
+    return fmt::format("({:.3g}, {:.3g}, {:.3g})", x[0], x[1], x[2]);
+}
+
+}  // namespace
+
+template <> std::string describe(const RigidMotion<2>& motion) {
   const double angle = motion.rotation[0];
-  const auto rounded = [](const Vector<dim>& x, double size) {
-    return fmt::format("({:.3g}, {:.3g})", std::abs(x[0]) < 1e-12 * size ? 0 : x[0],
-                       std::abs(x[1]) < 1e-12 * size ? 0 : x[1]);
-  };
-  if (angle == 0) return "moving it by " + rounded(motion.translation, motion.translation.norm());
+  if (angle == 0) return "moving it by " + rounded<2>(motion.translation, motion.translation.norm());
   // A translation with a rotation is a rotation about another point.
-  const Vector<dim> pole = motion.centre + Vector<dim>(-motion.translation[1], motion.translation[0]) / angle;
+  const Vector<2> pole = motion.centre + Vector<2>(-motion.translation[1], motion.translation[0]) / angle;
   return fmt::format("turning it {} about {}", angle > 0 ? "counter-clockwise" : "clockwise",
-                     rounded(pole, motion.centre.norm() + 1 / std::abs(angle)));
+                     rounded<2>(pole, motion.centre.norm() + 1 / std::abs(angle)));
+}
+
+template <> std::string describe(const RigidMotion<3>& motion) {
+  const Vector<3> turn(motion.rotation.data()), &along = motion.translation;
+  const double angle = turn.norm();
+  if (angle == 0) return "moving it by " + rounded<3>(along, along.norm());
+  // A translation across the axis moves the axis.
+  const Vector<3> axis = turn / angle, pole = motion.centre + axis.cross(along) / angle;
+  const double pitch = axis.dot(along) / angle;
+  const double size = motion.centre.norm() + 1 / angle;
+  const std::string turning =
+      fmt::format("turning it about the axis through {} along {}", rounded<3>(pole, size), rounded<3>(axis, 1));
+  if (std::abs(pitch) < 1e-9 * size) return turning;
+  return fmt::format("{}, moving it along by {:.3g} a radian", turning, pitch);
 }
 
 template struct RigidMotion<2>;
 template std::vector<RigidMotion<2>> free_motions(const Problem<2>&, int);
-template std::string describe(const RigidMotion<2>&);
+template struct RigidMotion<3>;
+template std::vector<RigidMotion<3>> free_motions(const Problem<3>&, int);
 
 }  // namespace bracket::scene

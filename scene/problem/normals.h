@@ -14,4 +14,9 @@ namespace bracket::scene {
 /// chains are made of it: those that slide or touch (empty, or none: all)
 std::vector<Vector<2>> shared_normals(const Mesh<2>& mesh, const std::vector<char>& counts = {});
 
+/// In space: normals that agree up to sign within 1e-6 rad, or what digits leave open (up to 2e-3), with that of the
+/// largest facet among them become one: along the axis if its is, else along the sum of their area vectors, of those
+/// that `counts` names if there are any. So pressure along it balances the same pressure on the rest of a closed body.
+std::vector<Vector<3>> shared_normals(const Mesh<3>& mesh, const std::vector<char>& counts = {});
+
 }  // namespace bracket::scene

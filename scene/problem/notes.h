@@ -13,5 +13,7 @@ namespace bracket::scene {
 /// 20 degrees of a corner), with the largest angle and how far an arc would bulge beyond its chords: a polygon in
 /// contact has a polygon's pressure. Parts that are declared as arcs are not told.
 std::vector<std::string> notes_on_lines(const Scene<2>& scene, const Problem<2>& problem);
+/// In space: parts that slide or touch and turn at edges, by less than 20 degrees, with the largest angle.
+std::vector<std::string> notes_on_lines(const Scene<3>& scene, const Problem<3>& problem);
 
 }  // namespace bracket::scene

@@ -117,16 +117,16 @@ EdgeLoad project(const Function<2>& given, const Vector<2>& a, const Vector<2>& 
   return result;
 }
 
-EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                 const std::string& where) {
+FacetValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                  const std::string& where) {
   const std::array<double, 2> ends = {finite_value(given, a, where), finite_value(given, b, where)};
   const EdgeLoad values = compared({ends, {0, 0}}, given, a, b, sample(given, a, b, where));
   return {ends, values.error, values.largest};
 }
 
-EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                    const std::string& where) {
-  EdgeValues<3> result;
+FacetValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                     const std::string& where) {
+  FacetValues<3> result;
   const auto& [start, end, middle] = result.value = {finite_value(given, a, where), finite_value(given, b, where),
                                                      finite_value(given, 0.5 * (a + b), where)};
   const std::vector<Sample> samples = sample(given, a, b, where);

@@ -4,19 +4,19 @@
 #include "scene/problem/stretch.h"
 #include "scene/scene.h"
 
-/// Given functions, fixed on one edge by few values (docs/theory.md §2). All throw Error (input), at `where`, if the
+/// Given functions, fixed on one facet by few values (docs/theory.md §2). All throw Error (input), at `where`, if the
 /// function is not finite at a point where it is needed.
 namespace bracket::scene {
 
-template <int n> struct EdgeValues {
-  std::array<double, n> value;  ///< at the ends a and b (and, for n = 3, at the midpoint)
+template <int n> struct FacetValues {
+  std::array<double, n> value;  ///< in the plane at the ends a and b (and, for n = 3, at the midpoint)
   /// Not less than any difference to the given function; if that is sampled, at points; but for stretches so narrow
   /// that rounding of coordinates does not tell their ends apart.
   double error = 0;
-  double largest = 0;  ///< not less than its magnitude, at points inside of the edge where that has no bound
+  double largest = 0;  ///< not less than its magnitude, at points inside of the facet where that has no bound
 };
 
-/// A load: errors as in EdgeValues.
+/// A load: errors as in FacetValues.
 struct EdgeLoad {
   EdgeCubic<double> value;
   double error = 0, largest = 0;
@@ -30,11 +30,11 @@ EdgeLoad project(const Function<2>& given, const Vector<2>& a, const Vector<2>& 
                  const std::string& where);
 
 /// The linear function with the given end values.
-EdgeValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                 const std::string& where);
+FacetValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                  const std::string& where);
 
 /// The quadratic function with the given values at the ends and the midpoint, of a function that is sampled.
-EdgeValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
-                                    const std::string& where);
+FacetValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
+                                     const std::string& where);
 
 }  // namespace bracket::scene

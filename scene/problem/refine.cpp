@@ -7,8 +7,8 @@
 #include "scene/mesh/bisection.h"
 #include "scene/mesh/curves.h"
 #include "scene/problem/gap.h"
+#include "scene/problem/halfway.h"
 #include "scene/problem/stretch.h"
-#include "scene/text.h"
 
 namespace bracket::scene {
 
@@ -27,18 +27,6 @@ std::vector<char> bisected_edges(const Problem<2>& problem, const std::vector<ch
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     if (marked[cell]) edges.insert(edges.end(), mesh.cell_edges[cell].begin(), mesh.cell_edges[cell].end());
   return conforming(mesh, edges, partner);
-}
-
-/// Halfway between two points of a simplex, in its barycentric coordinates.
-template <std::size_t d> std::array<double, d> halfway(const std::array<double, d>& a, const std::array<double, d>& b) {
-  std::array<double, d> middle;
-  for (std::size_t i = 0; i < d; ++i) {
-    middle[i] = 0.5 * (a[i] + b[i]);
-    // The coordinates are at most 1: a multiple of 2⁻⁵² shifted by one is one still.
-    if ((1 + middle[i]) - 1 == middle[i]) continue;
-    fail(Status::budget, "", "the mesh cannot be refined any further: its cells are 52 halvings small");
-  }
-  return middle;
 }
 
 /// The pieces of the first mesh's cells that the children are.

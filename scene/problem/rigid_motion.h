@@ -27,8 +27,11 @@ template <int dim> Vector<dim> displacement(const RigidMotion<dim>& motion, cons
 /// independent, each moving some point of it by about 1 [HH81, R ∩ V].
 template <int dim> std::vector<RigidMotion<dim>> free_motions(const Problem<dim>& problem, int component);
 
-/// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", for messages; coordinates at rounding level are 0.
+/// "moving it by (0, 1)" or "turning it clockwise about (2, 3)", in space "turning it about the axis through (0, 0, 1)
+/// along (1, 0, 0)", to which it turns right-handed, for messages; coordinates at rounding level are 0.
 /// \pre some point of its component is moved by about 1, as by free_motions()
 template <int dim> std::string describe(const RigidMotion<dim>& motion);
+template <> std::string describe(const RigidMotion<2>& motion);
+template <> std::string describe(const RigidMotion<3>& motion);
 
 }  // namespace bracket::scene

@@ -13,7 +13,8 @@
 
 namespace bracket::scene {
 
-int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& where,
+template <int dim>
+int part_named(const Mesh<dim>& mesh, const std::string& name, const std::string& where,
                const std::vector<std::string>& others) {
   const auto found = std::find(mesh.parts.begin(), mesh.parts.end(), name);
   if (found == mesh.parts.end()) {
@@ -23,6 +24,8 @@ int part_named(const Mesh<2>& mesh, const std::string& name, const std::string& 
   }
   return static_cast<int>(found - mesh.parts.begin());
 }
+template int part_named(const Mesh<2>&, const std::string&, const std::string&, const std::vector<std::string>&);
+template int part_named(const Mesh<3>&, const std::string&, const std::string&, const std::vector<std::string>&);
 
 namespace {
 
@@ -72,7 +75,7 @@ std::vector<int> facets_before(Mesh<2>& mesh, const ContactPair<2>& pair, std::v
 
 }  // namespace
 
-InContact in_contact(const Scene<2>& scene, Mesh<2> mesh) {
+InContact<2> in_contact(const Scene<2>& scene, Mesh<2> mesh) {
   std::vector<SideParts> sides;  // of the pairs of two bodies
   for (const ContactPair<2>& pair : scene.contact) {
     if (is_rigid(pair.second) && std::find(mesh.parts.begin(), mesh.parts.end(), "rigid") != mesh.parts.end())
@@ -82,7 +85,7 @@ InContact in_contact(const Scene<2>& scene, Mesh<2> mesh) {
   }
   const Arcs arcs = arcs_of(scene, mesh);
   CutAlike cut = cut_alike(std::move(mesh), sides, arcs);
-  InContact result{std::move(cut.mesh), {}};
+  InContact<2> result{std::move(cut.mesh), {}};
   std::size_t of_bodies = 0;
   std::vector<char> taken(result.mesh.boundary.size(), 0);
   for (const FacetPairs& pairs : cut.pairs)
@@ -122,7 +125,7 @@ Function<2> distance(const CircleObstacle& obstacle, const Vector<2>& d) {
   });
 }
 
-EdgeValues<3> drawn_gap(const Scene<2>& scene, const Problem<2>& problem, const ContactFacet& facet) {
+FacetValues<3> drawn_gap(const Scene<2>& scene, const Problem<2>& problem, const ContactFacet& facet) {
   const Mesh<2>& mesh = problem.mesh;
   const Vector<2>& d = problem.facets[facet.first].normal;
   const auto one = positions(mesh, mesh.boundary[facet.first].vertices);

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: lines and circles.
 #include "scene/toml/contact.h"
 
 #include <fmt/format.h>
@@ -8,19 +7,25 @@ namespace bracket::scene {
 
 namespace {
 
-Vector<2> pair_of_numbers(const toml::node& node, const std::string& name) {
-  const toml::array& entries = list(node, name, 2);
-  return {number(entries[0], name), number(entries[1], name)};
-}
-
 Circle read_circle(const toml::table& entry, const std::string& name) {
   check_keys(entry, name, {"center", "radius"});
-  return {pair_of_numbers(required(entry, name, "center"), name + ".center"),
+  return {vector<2>(required(entry, name, "center"), name + ".center"),
           number(required(entry, name, "radius"), name + ".radius")};
 }
 
-/// { line = { point, normal } } or { circle = { center, radius }, inside }.
-Side read_obstacle(const toml::table& entry, const std::string& name) {
+/// { line = { point, normal } } or { circle = { center, radius }, inside }; in space { plane = { point, normal } }.
+template <int dim> Side read_obstacle(const toml::table& entry, const std::string& name);
+
+template <> Side read_obstacle<3>(const toml::table& entry, const std::string& name) {
+  check_keys(entry, name, {"plane"});
+  const std::string of = name + ".plane";
+  const toml::table& plane = table(required(entry, name, "plane"), of);
+  check_keys(plane, of, {"point", "normal"});
+  return PlaneObstacle{vector<3>(required(plane, of, "point"), of + ".point"),
+                       vector<3>(required(plane, of, "normal"), of + ".normal")};
+}
+
+template <> Side read_obstacle<2>(const toml::table& entry, const std::string& name) {
   check_keys(entry, name, {"line", "circle", "inside"});
   if (const toml::node* node = entry.get("circle")) {
     if (const toml::node* line = entry.get("line")) refuse(*line, name + " is either a line or a circle");
@@ -32,14 +37,14 @@ Side read_obstacle(const toml::table& entry, const std::string& name) {
   const std::string of = name + ".line";
   const toml::table& line = table(required(entry, name, "line"), of);
   check_keys(line, of, {"point", "normal"});
-  return LineObstacle{pair_of_numbers(required(line, of, "point"), of + ".point"),
-                      pair_of_numbers(required(line, of, "normal"), of + ".normal")};
+  return LineObstacle{vector<2>(required(line, of, "point"), of + ".point"),
+                      vector<2>(required(line, of, "normal"), of + ".normal")};
 }
 
 /// A part, a list of parts or, of a second side, an obstacle.
-Side read_side(const toml::node& node, const std::string& name, bool second) {
+template <int dim> Side read_side(const toml::node& node, const std::string& name, bool second) {
   if (const toml::table* obstacle = node.as_table(); obstacle != nullptr && second)
-    return read_obstacle(*obstacle, name);
+    return read_obstacle<dim>(*obstacle, name);
   const toml::array* parts = node.as_array();
   if (parts == nullptr) return text(node, name);
   Side side;
@@ -48,7 +53,7 @@ Side read_side(const toml::node& node, const std::string& name, bool second) {
 }
 
 /// "bilateral", { winkler = k, tension }, { tresca = g, liftoff } or { coulomb = μ }.
-void read_law(const toml::node& node, ContactPair<2>& pair) {
+template <int dim> void read_law(const toml::node& node, ContactPair<dim>& pair) {
   const toml::table* entry = node.as_table();
   if (entry == nullptr) {
     pair.law = choice<Law>(node, "contact.law");
@@ -65,26 +70,28 @@ void read_law(const toml::node& node, ContactPair<2>& pair) {
                                  {"coulomb", Law::coulomb}})
     if (const toml::node* wrong = entry->get(key); wrong != nullptr && law != pair.law)
       refuse(*wrong, fmt::format("contact.law: '{}' does not belong to '{}'", key, name(pair.law)));
-  pair.value = function(required(*entry, "contact.law", name(pair.law)), "contact.law." + name(pair.law));
+  pair.value = function<dim>(required(*entry, "contact.law", name(pair.law)), "contact.law." + name(pair.law));
   if (const toml::node* tension = entry->get("tension")) pair.lifts_off = !truth(*tension, "contact.law.tension");
   if (const toml::node* liftoff = entry->get("liftoff")) pair.lifts_off = truth(*liftoff, "contact.law.liftoff");
 }
 
 }  // namespace
 
-ContactPair<2> read_contact(const toml::table& entry) {
+template <int dim> ContactPair<dim> read_contact(const toml::table& entry) {
   check_keys(entry, "[[contact]]", {"first", "second", "law", "gap", "name", "zones"});
-  ContactPair<2> pair;
+  ContactPair<dim> pair;
   pair.where = where(entry);
-  pair.first = read_side(required(entry, "[[contact]]", "first"), "contact.first", false);
-  pair.second = read_side(required(entry, "[[contact]]", "second"), "contact.second", true);
+  pair.first = read_side<dim>(required(entry, "[[contact]]", "first"), "contact.first", false);
+  pair.second = read_side<dim>(required(entry, "[[contact]]", "second"), "contact.second", true);
   if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
-    pair.gap = function(*gap, "contact.gap");
+    pair.gap = function<dim>(*gap, "contact.gap");
   if (const toml::node* law = entry.get("law")) read_law(*law, pair);
   if (const toml::node* own = entry.get("name")) pair.name = label(*own, "contact.name");
   if (const toml::node* zones = entry.get("zones")) pair.zones = integer(*zones, "contact.zones");
   return pair;
 }
+template ContactPair<2> read_contact<2>(const toml::table&);
+template ContactPair<3> read_contact<3>(const toml::table&);
 
 bool is_bond(const toml::table& entry) {
   const toml::node* law = entry.get("law");
@@ -96,8 +103,8 @@ Bond read_bond(const toml::table& entry) {
     if (const toml::node* node = entry.get(key))
       refuse(*node, fmt::format("bonded sides are one piece: they have no {}; leave contact.{} out", key, key));
   check_keys(entry, "[[contact]]", {"first", "second", "law"});
-  return {read_side(required(entry, "[[contact]]", "first"), "contact.first", false),
-          read_side(required(entry, "[[contact]]", "second"), "contact.second", false), where(entry)};
+  return {read_side<2>(required(entry, "[[contact]]", "first"), "contact.first", false),
+          read_side<2>(required(entry, "[[contact]]", "second"), "contact.second", false), where(entry)};
 }
 
 Curve read_curve(const toml::table& entry, const std::string& part) {

@@ -5,7 +5,7 @@
 
 namespace bracket::scene {
 
-ContactPair<2> read_contact(const toml::table& entry);
+template <int dim> ContactPair<dim> read_contact(const toml::table& entry);
 /// Whether an entry of [[contact]] is a bond.
 bool is_bond(const toml::table& entry);
 Bond read_bond(const toml::table& entry);                             ///< of [[contact]]

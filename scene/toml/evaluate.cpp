@@ -77,7 +77,8 @@ template <class Number> Number of_list(Kind kind, std::span<const Number> list) 
 Jet chosen(const Jet& condition, const Jet& yes, const Jet& no) { return choose(condition, yes, no); }
 double chosen(double condition, double yes, double no) { return choose(condition != 0, yes, no); }
 
-template <class Number> Number value_of(const std::vector<Step>& formula, const Number& x, const Number& y) {
+template <class Number>
+Number value_of(const std::vector<Step>& formula, const Number& x, const Number& y, const Number& z) {
   std::vector<Number> stack;
   stack.reserve(16);
   const auto replace = [&](std::size_t count, Number value) {
@@ -90,6 +91,7 @@ template <class Number> Number value_of(const std::vector<Step>& formula, const 
       case Kind::number: stack.push_back(step.number); break;
       case Kind::x: stack.push_back(x); break;
       case Kind::y: stack.push_back(y); break;
+      case Kind::z: stack.push_back(z); break;
       case Kind::negate: stack.back() = -stack.back(); break;
       case Kind::function: stack.back() = apply(functions[step.index], stack.back()); break;
       case Kind::choose: replace(3, chosen(stack[size - 3], stack[size - 2], stack[size - 1])); break;
@@ -105,7 +107,9 @@ template <class Number> Number value_of(const std::vector<Step>& formula, const 
 
 }  // namespace
 
-double evaluate(const std::vector<Step>& formula, double x, double y) { return value_of(formula, x, y); }
-Jet evaluate(const std::vector<Step>& formula, const Jet& x, const Jet& y) { return value_of(formula, x, y); }
+double evaluate(const std::vector<Step>& formula, double x, double y, double z) { return value_of(formula, x, y, z); }
+Jet evaluate(const std::vector<Step>& formula, const Jet& x, const Jet& y, const Jet& z) {
+  return value_of(formula, x, y, z);
+}
 
 }  // namespace bracket::scene

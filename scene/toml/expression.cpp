@@ -27,18 +27,27 @@ bool assigns(const std::string& formula) {
 
 }  // namespace
 
-Function<2> parse_expression(const std::string& formula, const std::string& where) {
+template <int dim> Function<dim> parse_expression(const std::string& formula, const std::string& where) {
   const auto refuse = [&] [[noreturn]] (const std::string& reason) {
     fail(Status::input, where, fmt::format("in the expression \"{}\": {}", formula, reason));
   };
   if (assigns(formula)) refuse("'=' assigns; compare with '=='");
   try {
-    const auto steps = std::make_shared<const std::vector<Step>>(parse_formula(formula));
-    return {[steps](const Vector<2>& at) { return evaluate(*steps, at[0], at[1]); },
-            [steps](const Function<2>::Range& over) { return evaluate(*steps, over[0], over[1]); }};
+    const auto steps = std::make_shared<const std::vector<Step>>(parse_formula(formula, dim));
+    const auto of = [steps](const auto& x) {
+      if constexpr (dim == 2)
+        return evaluate(*steps, x[0], x[1]);
+      else
+        return evaluate(*steps, x[0], x[1], x[2]);
+    };
+    return {[of](const Vector<dim>& x) -> double { return of(x); },
+            [of](const typename Function<dim>::Range& x) -> Jet { return of(x); }};
   } catch (const std::string& reason) {
     refuse(reason);
   }
 }
+
+template Function<2> parse_expression<2>(const std::string&, const std::string&);
+template Function<3> parse_expression<3>(const std::string&, const std::string&);
 
 }  // namespace bracket::scene

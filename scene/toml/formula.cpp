@@ -43,8 +43,9 @@ constexpr std::array<Operator, 12> operators = {{{"||", Kind::either, 1},
                                                  {"*", Kind::multiply, 5},
                                                  {"/", Kind::divide, 5}}};
 
-std::vector<std::string> known_names() {
+std::vector<std::string> known_names(int dim) {
   std::vector<std::string> names = {"x", "y", "pi", "e"};
+  if (dim == 3) names.insert(names.begin() + 2, "z");
   for (const Named& function : functions) names.emplace_back(function.name);
   for (const Of& list : lists) names.emplace_back(list.name);
   return names;
@@ -56,7 +57,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 /// By recursive descent. Blanks are whatever is not printed.
 class Parser {
  public:
-  explicit Parser(const std::string& text) : rest_(text) {}
+  Parser(const std::string& text, int dim) : rest_(text), dim_(dim) {}
 
   std::vector<Step> formula() {
     if (at_end()) throw std::string("it is empty");
@@ -71,6 +72,7 @@ class Parser {
  private:
   std::string_view rest_;
   std::vector<Step> steps_;
+  int dim_;
   int depth_ = 0;
 
   bool at_end() {
@@ -174,13 +176,14 @@ class Parser {
     rest_.remove_prefix(size);
     if (own == "x") return steps_.push_back({Kind::x});
     if (own == "y") return steps_.push_back({Kind::y});
+    if (own == "z" && dim_ == 3) return steps_.push_back({Kind::z});
     if (own == "pi" || own == "_pi") return steps_.push_back({Kind::number, std::numbers::pi});
     if (own == "e" || own == "_e") return steps_.push_back({Kind::number, std::numbers::e});
     const auto is_own = [&](const auto& entry) { return own == entry.name; };
     const auto* function = std::find_if(functions.begin(), functions.end(), is_own);
     const auto* list = std::find_if(lists.begin(), lists.end(), is_own);
     if (function == functions.end() && list == lists.end())
-      throw fmt::format("unknown name '{}'; {}", own, suggestion(own, known_names()));
+      throw fmt::format("unknown name '{}'; {}", own, suggestion(own, known_names(dim_)));
     const int count = arguments(own);
     if (function != functions.end()) {
       check_count(own, count, 1);
@@ -210,6 +213,6 @@ class Parser {
 
 }  // namespace
 
-std::vector<Step> parse_formula(const std::string& text) { return Parser(text).formula(); }
+std::vector<Step> parse_formula(const std::string& text, int dim) { return Parser(text, dim).formula(); }
 
 }  // namespace bracket::scene

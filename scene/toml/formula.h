@@ -6,7 +6,8 @@
 
 #include "scene/jet.h"
 
-/// Formulas in x and y. From the loosest to the tightest: `c ? a : b`, `||`, `&&`, comparisons, `+ -`, `* /`, signs,
+/// Formulas in x and y, in space in z as well. From the loosest to the tightest: `c ? a : b`, `||`, `&&`, comparisons,
+/// `+ -`, `* /`, signs,
 /// `^`, which groups from the right; the others group from the left. So −2^2 is −4, as in muParser, whose language
 /// this is: 0 is false, every other value true.
 namespace bracket::scene {
@@ -17,6 +18,7 @@ struct Step {
     number,
     x,
     y,
+    z,
     negate,
     add,
     subtract,
@@ -46,9 +48,10 @@ struct Step {
 };
 
 /// \throw std::string, what is wrong: not one formula, an unknown name, an assignment, nested deeper than 200
-std::vector<Step> parse_formula(const std::string& text);
+/// \param dim 2: a z is an unknown name
+std::vector<Step> parse_formula(const std::string& text, int dim = 2);
 
-double evaluate(const std::vector<Step>& formula, double x, double y);
-Jet evaluate(const std::vector<Step>& formula, const Jet& x, const Jet& y);
+double evaluate(const std::vector<Step>& formula, double x, double y, double z = 0);
+Jet evaluate(const std::vector<Step>& formula, const Jet& x, const Jet& y, const Jet& z = Jet(0));
 
 }  // namespace bracket::scene

@@ -140,12 +140,24 @@ const toml::array& tables(const toml::node& node, const std::string& name) {
   return *value;
 }
 
-Function<2> function(const toml::node& node, const std::string& name) {
-  if (node.is_string()) return parse_expression(text(node, name), where(node));
+template <int dim> Function<dim> function(const toml::node& node, const std::string& name) {
+  if (node.is_string()) return parse_expression<dim>(text(node, name), where(node));
   if (!node.is_number()) {
-    refuse(node, fmt::format("{} must be a number or an expression in x and y, not {}", name, type_of(node)));
+    refuse(node, fmt::format("{} must be a number or an expression in {}, not {}", name,
+                             dim == 2 ? "x and y" : "x, y and z", type_of(node)));
   }
   return number(node, name);
 }
+template Function<2> function<2>(const toml::node&, const std::string&);
+template Function<3> function<3>(const toml::node&, const std::string&);
+
+template <int dim> Vector<dim> vector(const toml::node& node, const std::string& name) {
+  const toml::array& entries = list(node, name, dim);
+  Vector<dim> result;
+  for (std::size_t c = 0; c < dim; ++c) result[static_cast<Eigen::Index>(c)] = number(entries[c], name);
+  return result;
+}
+template Vector<2> vector<2>(const toml::node&, const std::string&);
+template Vector<3> vector<3>(const toml::node&, const std::string&);
 
 }  // namespace bracket::scene

@@ -34,6 +34,9 @@ template <class Option> Option choice(const toml::node& node, const std::string&
 const toml::table& table(const toml::node& node, const std::string& name);
 const toml::array& list(const toml::node& node, const std::string& name, std::size_t size);  ///< of `size` entries
 const toml::array& tables(const toml::node& node, const std::string& name);  ///< [[name]], at least one; all tables
-Function<2> function(const toml::node& node, const std::string& name);       ///< a number or an expression in x and y
+/// A number or an expression in x and y, in space in z as well.
+template <int dim = 2> Function<dim> function(const toml::node& node, const std::string& name);
+/// As many numbers as there are axes.
+template <int dim> Vector<dim> vector(const toml::node& node, const std::string& name);
 
 }  // namespace bracket::scene

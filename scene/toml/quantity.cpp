@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: directions and components.
 #include "scene/toml/quantity.h"
 
 #include <fmt/format.h>
@@ -12,7 +11,7 @@ namespace bracket::scene {
 namespace {
 
 /// The key that says what is asked, of which there must be one.
-const toml::node& kind_of(const toml::table& entry, Quantity<2>& quantity) {
+template <int dim> const toml::node& kind_of(const toml::table& entry, Quantity<dim>& quantity) {
   const auto& kinds = option_names<QuantityKind>;
   const toml::node* found = nullptr;
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -28,7 +27,7 @@ const toml::node& kind_of(const toml::table& entry, Quantity<2>& quantity) {
 }
 
 /// What it is called where the scene gives no name.
-std::string description(const Quantity<2>& quantity) {
+template <int dim> std::string description(const Quantity<dim>& quantity) {
   switch (quantity.kind) {
     case QuantityKind::energy: return "strain energy";
     case QuantityKind::body: return "displacement of " + quantity.of;
@@ -39,12 +38,12 @@ std::string description(const Quantity<2>& quantity) {
 
 }  // namespace
 
-Quantity<2> read_quantity(const toml::table& entry) {
+template <int dim> Quantity<dim> read_quantity(const toml::table& entry) {
   const std::string called = "quantity";
   check_keys(entry, "[[quantity]]",
              {"displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy", "name",
               "direction", "component", "from", "to", "weight", "target", "absolute"});
-  Quantity<2> quantity;
+  Quantity<dim> quantity;
   quantity.where = where(entry);
   const toml::node& of = kind_of(entry, quantity);
   const std::string kind = name(quantity.kind);
@@ -65,11 +64,10 @@ Quantity<2> read_quantity(const toml::table& entry) {
   using enum QuantityKind;
   if (const toml::node* direction = belongs("direction", {displacement, body, reaction});
       direction != nullptr && direction->value<std::string>() != "normal") {
-    const toml::array& entries = list(*direction, called + ".direction", 2);
-    quantity.direction = {number(entries[0], called + ".direction"), number(entries[1], called + ".direction")};
+    quantity.direction = vector<dim>(*direction, called + ".direction");
   } else if (direction == nullptr &&
              (quantity.kind == displacement || quantity.kind == body || quantity.kind == reaction)) {
-    refuse(entry, fmt::format("quantity.{} needs a direction = [x, y]{}", kind,
+    refuse(entry, fmt::format("quantity.{} needs a direction = [{}]{}", kind, dim == 2 ? "x, y" : "x, y, z",
                               quantity.kind == body ? "" : ", or \"normal\""));
   }
   if (const toml::node* component = belongs("component", {stress}))
@@ -84,7 +82,7 @@ Quantity<2> read_quantity(const toml::table& entry) {
   }
   if (const toml::node* weight = belongs("weight", {force, opening})) {
     if (quantity.stretch) refuse(*weight, "a quantity has either a stretch or a weight");
-    quantity.weight = function(*weight, called + ".weight");
+    quantity.weight = function<dim>(*weight, called + ".weight");
   }
   if (const toml::node* target = entry.get("target")) quantity.target = number(*target, called + ".target");
   if (const toml::node* absolute = entry.get("absolute")) quantity.absolute = number(*absolute, called + ".absolute");
@@ -92,5 +90,8 @@ Quantity<2> read_quantity(const toml::table& entry) {
   quantity.name = own != nullptr ? label(*own, called + ".name") : description(quantity);
   return quantity;
 }
+
+template Quantity<2> read_quantity<2>(const toml::table&);
+template Quantity<3> read_quantity<3>(const toml::table&);
 
 }  // namespace bracket::scene

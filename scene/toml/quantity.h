@@ -5,6 +5,6 @@
 
 namespace bracket::scene {
 
-Quantity<2> read_quantity(const toml::table& entry);  ///< of [[quantity]]
+template <int dim> Quantity<dim> read_quantity(const toml::table& entry);  ///< of [[quantity]]
 
 }  // namespace bracket::scene

@@ -43,28 +43,33 @@ toml::table parse(const std::filesystem::path& file, const std::vector<std::stri
 
 // ---- [mesh] ---------------------------------------------------------------------------------------------------------
 
-Block<2> read_block(const toml::table& entry) {
+template <int dim> Block<dim> read_block(const toml::table& entry) {
   const std::string name = "mesh.block";
-  check_keys(entry, "[[mesh.block]]", {"body", "name", "x", "y", "cells"});
-  Block<2> block;
+  if (dim == 3)
+    check_keys(entry, "[[mesh.block]]", {"body", "name", "x", "y", "z", "cells"});
+  else if (const toml::node* z = entry.get("z"))
+    refuse(*z, "mesh.block.z belongs to three dimensions; write dim = 3 above");
+  else
+    check_keys(entry, "[[mesh.block]]", {"body", "name", "x", "y", "cells"});
+  Block<dim> block;
   block.where = where(entry);
   block.body = text(required(entry, "[[mesh.block]]", "body"), name + ".body");
   if (const toml::node* own = entry.get("name")) block.name = label(*own, name + ".name");
-  const std::array<std::string, 2> axes = {"x", "y"};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  const std::array<std::string, 3> axes = {"x", "y", "z"};
+  for (std::size_t axis = 0; axis < dim; ++axis) {
     const std::string key = name + "." + axes[axis];
     const toml::array& range = list(required(entry, "[[mesh.block]]", axes[axis]), key, 2);
     block.range[axis] = {number(range[0], key), number(range[1], key)};
   }
-  const toml::array& cells = list(required(entry, "[[mesh.block]]", "cells"), name + ".cells", 2);
-  block.cells = {integer(cells[0], name + ".cells"), integer(cells[1], name + ".cells")};
+  const toml::array& cells = list(required(entry, "[[mesh.block]]", "cells"), name + ".cells", dim);
+  for (std::size_t axis = 0; axis < dim; ++axis) block.cells[axis] = integer(cells[axis], name + ".cells");
   return block;
 }
 
 /// A scene that has nothing but its mesh.
-Scene<2> mesh_scene(const toml::table& entry, const std::filesystem::path& folder) {
+template <int dim> Scene<dim> mesh_scene(const toml::table& entry, const std::filesystem::path& folder) {
   check_keys(entry, "[mesh]", {"file", "merge", "block"});
-  Scene<2> scene;
+  Scene<dim> scene;
   scene.mesh_where = where(entry);
   if (const toml::node* merge = entry.get("merge")) scene.merge = number(*merge, "mesh.merge");
   const toml::node* file = entry.get("file");
@@ -77,32 +82,34 @@ Scene<2> mesh_scene(const toml::table& entry, const std::filesystem::path& folde
     scene.mesh_where = where(*file);
     return scene;
   }
-  for (const toml::node& block : tables(*blocks, "mesh.block")) scene.blocks.push_back(read_block(*block.as_table()));
+  for (const toml::node& block : tables(*blocks, "mesh.block"))
+    scene.blocks.push_back(read_block<dim>(*block.as_table()));
   return scene;
 }
 
 // ---- [bodies] -------------------------------------------------------------------------------------------------------
 
-Material<2> read_isotropic(const toml::table& entry, const std::string& name, Plane plane) {
+template <int dim> Material<dim> read_isotropic(const toml::table& entry, const std::string& name, Plane plane) {
   const double young = number(required(entry, "[" + name + "]", "E"), name + ".E");
   const double poisson = number(required(entry, "[" + name + "]", "nu"), name + ".nu");
-  if (const auto fault = isotropic_fault(young, poisson, plane))
+  if (const auto fault = isotropic_fault<dim>(young, poisson, plane))
     refuse(deepest(entry, fault->key), name + "." + fault->message);
-  return isotropic<2>(young, poisson, plane);
+  return isotropic<dim>(young, poisson, plane);
 }
 
-Material<2> read_anisotropic(const toml::node& node, const std::string& name) {
-  const toml::array& rows = list(node, name, 3);
-  Elasticity<2> stiffness;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const toml::array& row = list(rows[i], name, 3);
-    for (std::size_t j = 0; j < 3; ++j) stiffness(i, j) = number(row[j], name);
+template <int dim> Material<dim> read_anisotropic(const toml::node& node, const std::string& name) {
+  constexpr std::size_t n = n_voigt<dim>;
+  const toml::array& rows = list(node, name, n);
+  Elasticity<dim> stiffness;
+  for (std::size_t i = 0; i < n; ++i) {
+    const toml::array& row = list(rows[i], name, n);
+    for (std::size_t j = 0; j < n; ++j) stiffness(i, j) = number(row[j], name);
   }
-  if (const auto fault = anisotropic_fault(stiffness)) refuse(node, name + " " + fault->message);
-  return anisotropic<2>(stiffness);
+  if (const auto fault = anisotropic_fault<dim>(stiffness)) refuse(node, name + " " + fault->message);
+  return anisotropic<dim>(stiffness);
 }
 
-Body<2> read_body(const toml::table& entry, const std::string& name, Plane plane) {
+template <int dim> Body<dim> read_body(const toml::table& entry, const std::string& name, Plane plane) {
   check_keys(entry, "[" + name + "]", {"E", "nu", "stiffness", "body_force"});
   const toml::node* stiffness = entry.get("stiffness");
   if (stiffness != nullptr && (entry.contains("E") || entry.contains("nu"))) {
@@ -111,19 +118,16 @@ Body<2> read_body(const toml::table& entry, const std::string& name, Plane plane
   if (stiffness == nullptr && !entry.contains("E") && !entry.contains("nu")) {
     refuse(entry, name + " has no material; write E and nu, or stiffness");
   }
-  Body<2> body =
-      stiffness != nullptr ? read_anisotropic(*stiffness, name + ".stiffness") : read_isotropic(entry, name, plane);
+  Body<dim> body = stiffness != nullptr ? read_anisotropic<dim>(*stiffness, name + ".stiffness")
+                                        : read_isotropic<dim>(entry, name, plane);
   body.where = where(entry);
-  if (const toml::node* force = entry.get("body_force")) {
-    const toml::array& components = list(*force, name + ".body_force", 2);
-    body.force = {number(components[0], name + ".body_force"), number(components[1], name + ".body_force")};
-  }
+  if (const toml::node* force = entry.get("body_force")) body.force = vector<dim>(*force, name + ".body_force");
   return body;
 }
 
 // ---- [boundary], [[contact]] ----------------------------------------------------------------------------------------
 
-Condition<2> read_condition(const toml::table& entry, const std::string& part) {
+template <int dim> Condition<dim> read_condition(const toml::table& entry, const std::string& part) {
   const std::string name = "boundary.\"" + part + "\"";
   const auto& known = option_names<ConditionKind>;
   const std::vector<std::string> kinds(known.begin(), known.end());
@@ -134,16 +138,16 @@ Condition<2> read_condition(const toml::table& entry, const std::string& part) {
   }
   const auto only = entry.begin();
   const auto& [key, node] = *only;
-  Condition<2> condition;
+  Condition<dim> condition;
   condition.where = where(node);
   const auto kind = std::find(kinds.begin(), kinds.end(), key.str());
   condition.kind = static_cast<ConditionKind>(kind - kinds.begin());
   if (condition.kind == ConditionKind::fixed || condition.kind == ConditionKind::traction) {
-    for (const toml::node& component : list(node, name + "." + *kind, 2)) {
-      condition.value.push_back(function(component, name + "." + *kind));
+    for (const toml::node& component : list(node, name + "." + *kind, dim)) {
+      condition.value.push_back(function<dim>(component, name + "." + *kind));
     }
   } else {
-    condition.value.push_back(function(node, name + "." + *kind));
+    condition.value.push_back(function<dim>(node, name + "." + *kind));
   }
   return condition;
 }
@@ -177,15 +181,15 @@ Refine read_refine(const toml::table& entry) {
 }
 
 /// Whether there is an error or a width to reach, which asks for refinement.
-bool has_target(const Scene<2>& scene) {
+template <int dim> bool has_target(const Scene<dim>& scene) {
   return scene.refine.target > 0 || std::any_of(scene.quantities.begin(), scene.quantities.end(),
                                                 [](const auto& one) { return one.target > 0 || one.absolute > 0; });
 }
 
 /// \param scene what is read so far: all that "auto" depends on
-Solve read_solve(const toml::table& entry, const Scene<2>& scene) {
+template <int dim> Solve read_solve(const toml::table& entry, const Scene<dim>& scene) {
   check_keys(entry, "[solve]", {"degree", "dual"});
-  Solve solve;
+  Solve solve = default_solve<dim>();
   if (const toml::node* node = entry.get("dual")) solve.dual = choice<Dual>(*node, "solve.dual");
   const toml::node* degree = entry.get("degree");
   if (!degree) return solve;
@@ -193,7 +197,7 @@ Solve read_solve(const toml::table& entry, const Scene<2>& scene) {
     solve.degree = integer(*degree, "solve.degree");
   else if (text(*degree, "solve.degree") != "auto")
     refuse(*degree, fmt::format("solve.degree must be an integer from 1 to {} or \"auto\"", largest_degree));
-  else if (solve.dual != Dual::uzawa && !has_coulomb(scene))  // which have linear stresses
+  else if (dim == 2 && solve.dual != Dual::uzawa && !has_coulomb(scene))  // these have linear stresses
     solve.degree = degree_for(scene.refine.target, cells_of(scene));
   return solve;
 }
@@ -201,10 +205,9 @@ Solve read_solve(const toml::table& entry, const Scene<2>& scene) {
 }  // namespace
 
 template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  static_assert(dim == 2);
   const toml::table root = parse(file, overrides);
   check_keys(root, "",
-             {"schema", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "quantity",
+             {"schema", "dim", "title", "units", "plane", "mesh", "bodies", "boundary", "curves", "contact", "quantity",
               "refine", "solve"});
   if (!root.contains("schema"))
     fail(Status::input, file.string(),
@@ -212,7 +215,13 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   const toml::node& schema = required(root, "", "schema");
   if (integer(schema, "schema") != 1) refuse(schema, "schema must be 1, the only one that this version knows");
 
-  Scene<dim> scene = mesh_scene(table(required(root, "", "mesh"), "mesh"), file.parent_path());
+  if (const toml::node* own = root.get("dim"); own != nullptr && integer(*own, "dim") != dim)
+    refuse(*own, dim == 2 ? "dim must be 2 here: what is asked is known for plane scenes only"
+                          : "dim must be 3 here: what is asked is known in space only");
+  if (const toml::node* plane = root.get("plane"); plane != nullptr && dim == 3)
+    refuse(*plane, "plane belongs to two dimensions; leave it out");
+
+  Scene<dim> scene = mesh_scene<dim>(table(required(root, "", "mesh"), "mesh"), file.parent_path());
   if (const auto fault = mesh_fault(scene)) refuse(deepest(root, fault->key), fault->message);
   scene.file = file.string();
   if (const toml::node* node = root.get("title")) scene.title = text(*node, "title");
@@ -221,12 +230,12 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   for (const auto& [key, node] : table(required(root, "", "bodies"), "bodies")) {
     const std::string name = "bodies." + std::string{key.str()};
     if (const auto fault = unmade_body(scene.blocks, std::string{key.str()})) refuse(node, fault->message);
-    scene.bodies.emplace(key.str(), read_body(table(node, name), name, scene.plane));
+    scene.bodies.emplace(key.str(), read_body<dim>(table(node, name), name, scene.plane));
   }
   if (const toml::node* boundary = root.get("boundary")) {
     for (const auto& [key, node] : table(*boundary, "boundary")) {
       const std::string part{key.str()};
-      scene.boundary.emplace(part, read_condition(table(node, "boundary.\"" + part + "\""), part));
+      scene.boundary.emplace(part, read_condition<dim>(table(node, "boundary.\"" + part + "\""), part));
     }
   }
   if (const toml::node* curves = root.get("curves"))
@@ -240,12 +249,12 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
       if (is_bond(entry))
         scene.bonds.push_back(read_bond(entry));
       else
-        scene.contact.push_back(read_contact(entry));
+        scene.contact.push_back(read_contact<dim>(entry));
     }
   }
   if (const toml::node* quantities = root.get("quantity"))
     for (const toml::node& one : tables(*quantities, "quantity"))
-      scene.quantities.push_back(read_quantity(*one.as_table()));
+      scene.quantities.push_back(read_quantity<dim>(*one.as_table()));
   if (const toml::node* node = root.get("refine")) scene.refine = read_refine(table(*node, "refine"));
   if (!root["refine"]["strategy"] && has_target(scene)) scene.refine.strategy = Strategy::adaptive;
   if (const toml::node* node = root.get("solve")) scene.solve = read_solve(table(*node, "solve"), scene);
@@ -254,6 +263,23 @@ template <int dim> Scene<dim> read_scene(const std::filesystem::path& file, cons
   return scene;
 }
 
+int dimension_of(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const toml::table root = parse(file, overrides);
+  if (const toml::node* dim = root.get("dim")) {
+    const int value = integer(*dim, "dim");
+    if (value != 2 && value != 3) refuse(*dim, fmt::format("dim must be 2 or 3, is {}", value));
+    return value;
+  }
+  const toml::node* mesh = root["mesh"]["file"].node();
+  if (mesh == nullptr || !mesh->is_string()) return 2;
+  try {
+    return dimension_of_mesh(file.parent_path() / *mesh->value<std::string>());
+  } catch (const Error&) {  // told where the mesh is read
+    return 2;
+  }
+}
+
 template Scene<2> read_scene<2>(const std::filesystem::path&, const std::vector<std::string>&);
+template Scene<3> read_scene<3>(const std::filesystem::path&, const std::vector<std::string>&);
 
 }  // namespace bracket::scene

@@ -109,7 +109,7 @@ TEST(Projection, AJumpInsideIsReported) {
 
 TEST(Interpolation, QuadraticIsExactForQuadraticFunctions) {
   const Function<2> gap = [](const Vector<2>& x) { return 0.5 * x[0] * x[0] - x[1]; };
-  const EdgeValues<3> values = interpolate_quadratic(gap, {-1, 0}, {3, 1}, "");
+  const FacetValues<3> values = interpolate_quadratic(gap, {-1, 0}, {3, 1}, "");
   EXPECT_EQ(values.value, (std::array{0.5, 3.5, 0.0}));
   EXPECT_LE(values.error, 16 * eps);
   EXPECT_GT(interpolate_quadratic([](const Vector<2>& x) { return std::pow(x[0], 3); }, {0, 0}, {1, 0}, "").error,

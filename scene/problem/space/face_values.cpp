@@ -1,0 +1,232 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// In space: functions on a face.
+#include "scene/problem/space/face_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/quadrature.h"
+#include "scene/range.h"
+#include "scene/text.h"
+
+namespace bracket::scene {
+
+namespace {
+
+double finite_on_face(const Function<3>& given, const Vector<3>& x, const std::string& where) {
+  const double value = given(x);
+  if (!std::isfinite(value)) fail(Status::input, where, fmt::format("the value at {} is not finite", point(x)));
+  if (std::abs(value) > largest_size)
+    fail(Status::input, where,
+         fmt::format("the value at {} is {:g}; expected at most {:g} in size", point(x), value, largest_size));
+  return value;
+}
+
+OnFace middle(const OnFace& a, const OnFace& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}; }
+
+/// Four triangles of half the size.
+std::array<FacePart, 4> quarters(const FacePart& part) {
+  const auto& [a, b, c] = part;
+  const OnFace bc = middle(b, c), ca = middle(c, a), ab = middle(a, b);
+  return {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
+}
+
+/// Sixteen parts; where the function is not smooth they are quartered towards that.
+std::vector<FacePart> parts_of(const Function<3>& given, const Face& face) {
+  constexpr int quarterings = 32;
+  struct Rough {
+    FacePart part;
+    Real left;  ///< what quartering may gain; 0: the function is smooth there
+  };
+  std::vector<Rough> all;
+  const auto add = [&](const FacePart& part) {
+    Real left = 0;
+    if (given.is_enclosed()) {
+      const Jet jet = over_part(given, face, part, across_face[0]);
+      if (!jet.c[3].is_bounded()) left = (jet.c[0].upper - jet.c[0].lower) * share_of_face(part);
+    }
+    all.push_back({part, left});
+  };
+  for (const FacePart& quarter : quarters(whole_face))
+    for (const FacePart& part : quarters(quarter)) add(part);
+  for (int i = 0; i < quarterings; ++i) {
+    const auto most = std::ranges::max_element(all, {}, &Rough::left);
+    if (!(most->left > 0)) break;
+    const FacePart part = most->part;
+    all.erase(most);
+    for (const FacePart& quarter : quarters(part)) add(quarter);
+  }
+  std::vector<FacePart> parts;
+  for (const Rough& one : all) parts.push_back(one.part);
+  return parts;
+}
+
+struct FaceSample {
+  OnFace at;
+  double weight;  ///< all together 1
+  double value;
+};
+
+/// At the points of a product of Gauss' rules on each part, its square folded to a triangle: all inside of the face.
+std::vector<FaceSample> sample(const Function<3>& given, const Face& face, const std::vector<FacePart>& parts,
+                               const std::string& where) {
+  static const auto gauss = gauss_points<5>();
+  std::vector<FaceSample> samples;
+  for (const FacePart& part : parts)
+    for (const auto& [x, x_weight] : gauss)
+      for (const auto& [y, y_weight] : gauss) {
+        const double s = (1 + x) / 2, t = (1 - s) * (1 + y) / 2;
+        OnFace at;
+        for (int i = 0; i < 2; ++i) at[i] = part[0][i] + s * (part[1][i] - part[0][i]) + t * (part[2][i] - part[0][i]);
+        samples.push_back({at, share_of_face(part) * x_weight * y_weight * (1 - s) / 2,
+                           finite_on_face(given, place(face, at), where)});
+      }
+  return samples;
+}
+
+double largest_of(const std::vector<FaceSample>& samples) {
+  double largest = 0;
+  for (const FaceSample& at : samples) largest = std::max(largest, std::abs(at.value));
+  return largest;
+}
+
+double value_of(const std::array<double, 3>& corners, const OnFace& at) {
+  return corners[0] + at[0] * (corners[1] - corners[0]) + at[1] * (corners[2] - corners[0]);
+}
+
+double distance(const std::vector<FaceSample>& samples, const std::array<double, 3>& corners) {
+  double largest = 0;
+  for (const FaceSample& at : samples) largest = std::max(largest, std::abs(at.value - value_of(corners, at.at)));
+  return largest;
+}
+
+std::array<double, 3> projected(const std::vector<FaceSample>& samples) {
+  std::array<double, 3> moment{};
+  for (const auto& [at, weight, value] : samples) {
+    moment[0] += weight * value * (1 - at[0] - at[1]);
+    moment[1] += weight * value * at[0];
+    moment[2] += weight * value * at[1];
+  }
+  const double sum = moment[0] + moment[1] + moment[2];
+  return {12 * moment[0] - 3 * sum, 12 * moment[1] - 3 * sum, 12 * moment[2] - 3 * sum};
+}
+
+/// The values at the corners, just inside of the face.
+std::array<double, 3> inside_corners(const Function<3>& given, const Face& face) {
+  std::array<double, 3> corners;
+  const std::array<OnFace, 3> inwards = {{{2, 1}, {-2, 1}, {1, -2}}};
+  for (int i = 0; i < 3; ++i) {
+    const Interval value = at_point(given, face, whole_face[i], inwards[i]).value();
+    corners[i] = static_cast<double>(value.lower + (value.upper - value.lower) / 2);
+  }
+  return corners;
+}
+
+/// Not less than the magnitude of f − linear on a part: by its value in the middle and its slopes over the part.
+double largest_difference(const Function<3>& given, const Face& face, const FacePart& part,
+                          const std::array<double, 3>& corners) {
+  const auto linear = [&](const OnFace& at) {
+    Interval x = corners[0];
+    for (int i = 0; i < 2; ++i)
+      if (at[i] != 0) x = x + Interval(at[i]) * (Interval(corners[i + 1]) - Interval(corners[0]));
+    return x;
+  };
+  const auto slope = [&](const OnFace& direction) { return linear(direction) - Interval(corners[0]); };
+  const Interval of_linear = hull(hull(linear(part[0]), linear(part[1])), linear(part[2]));
+  const std::array<Jet, 2> jets = {over_part(given, face, part, across_face[0]),
+                                   over_part(given, face, part, across_face[1])};
+  Interval left = jets[0].value() - of_linear;
+  const OnFace centre = middle(middle(part[0], part[1]), part[2]);  // any point of it
+  const Jet there = at_point(given, face, centre, across_face[0]);
+  if (!jets[0].partial && jets[0].c[1].is_bounded() && jets[1].c[1].is_bounded()) {
+    Interval by_slopes = there.value() - linear(centre);
+    std::array<Interval, 2> reach = {Interval::none(), Interval::none()};
+    for (const OnFace& corner : part) {
+      const double s = corner[0] - centre[0], t = corner[1] - centre[1];
+      reach[0] = hull(reach[0], Interval(2 * s - t) / 3);
+      reach[1] = hull(reach[1], Interval(2 * t - s) / 3);
+    }
+    for (int i = 0; i < 2; ++i) by_slopes = by_slopes + reach[i] * (jets[i].c[1] - slope(across_face[i]));
+    left = intersection(left, by_slopes);
+  }
+  return left.is_empty() ? 0 : upper(Interval(left.magnitude()));
+}
+
+/// Fills in how far the linear function is from the given one, and how large that is.
+FacetValues<3> compared(const std::array<double, 3>& corners, const Function<3>& given, const Face& face,
+                        const std::vector<FacePart>& parts, const std::vector<FaceSample>& samples) {
+  FacetValues<3> result{corners, 0, largest_of(samples)};
+  for (const double value : corners) result.largest = std::max(result.largest, std::abs(value));
+  if (!given.is_enclosed()) {
+    result.error = distance(samples, corners);
+    return result;
+  }
+  for (const FacePart& part : parts) {
+    result.error = std::max(result.error, largest_difference(given, face, part, corners));
+    const Real value = over_part(given, face, part, across_face[0]).value().magnitude();
+    if (std::isfinite(value)) result.largest = std::max(result.largest, upper(Interval(value)));
+  }
+  return result;
+}
+
+FacetValues<3> exact(const std::array<double, 3>& corners) {
+  FacetValues<3> result{corners, 0, 0};
+  for (const double value : corners) result.largest = std::max(result.largest, std::abs(value));
+  return result;
+}
+
+/// Refuses what is not finite at the corners.
+std::array<double, 3> at_corners(const Function<3>& given, const Face& face, const std::string& where) {
+  return {finite_on_face(given, face[0], where), finite_on_face(given, face[1], where),
+          finite_on_face(given, face[2], where)};
+}
+
+}  // namespace
+
+FacetValues<3> project(const Function<3>& given, const Face& face, const std::string& where) {
+  if (is_polynomial(given, face, 1)) {
+    const std::array<double, 3> corners = inside_corners(given, face);
+    sample(given, face, {whole_face}, where);  // refuses what is not finite or too large
+    return exact(corners);
+  }
+  const std::vector<FacePart> parts = parts_of(given, face);
+  const std::vector<FaceSample> samples = sample(given, face, parts, where);
+  const double first = samples.front().value;
+  if (std::ranges::all_of(samples, [&](const FaceSample& at) { return at.value == first; }))
+    return compared({first, first, first}, given, face, parts, samples);
+  const std::array<double, 3> corners = {given(face[0]), given(face[1]), given(face[2])};  // may be infinite
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest_of(samples);
+  if (distance(samples, corners) <= rounding) return compared(corners, given, face, parts, samples);
+  return compared(projected(samples), given, face, parts, samples);
+}
+
+FacetValues<3> interpolate_linear(const Function<3>& given, const Face& face, const std::string& where) {
+  const std::array<double, 3> corners = at_corners(given, face, where);
+  if (is_polynomial(given, face, 1)) return exact(corners);
+  const std::vector<FacePart> parts = parts_of(given, face);
+  return compared(corners, given, face, parts, sample(given, face, parts, where));
+}
+
+FacetValues<6> interpolate_quadratic(const Function<3>& given, const Face& face, const std::string& where) {
+  const std::array<double, 3> corners = at_corners(given, face, where);
+  FacetValues<6> result{{corners[0], corners[1], corners[2]}, 0, 0};
+  for (int e = 0; e < 3; ++e) {
+    const auto& [i, k] = Simplex<2>::edges[e];
+    const double value = finite_on_face(given, 0.5 * (face[i] + face[k]), where);
+    result.value[3 + e] = value + ((value - corners[i]) + (value - corners[k])) / 2;
+    result.largest = std::max(result.largest, std::abs(value));
+  }
+  const std::vector<FaceSample> samples = sample(given, face, parts_of(given, face), where);
+  result.largest = std::max(result.largest, largest_of(samples));
+  for (const auto& [at, weight, value] : samples) {
+    const double quadratic = on_part(result.value, {at, at, at})[0];
+    result.error = std::max(result.error, std::abs(value - quadratic));
+  }
+  for (const double value : corners) result.largest = std::max(result.largest, std::abs(value));
+  return result;
+}
+
+}  // namespace bracket::scene
