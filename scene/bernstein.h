@@ -7,17 +7,31 @@
 
 /// Polynomials by their Bernstein coefficients, over any kind of number and value. On a segment coefficient k belongs
 /// to n!/(k! (n−k)!) (1−t)^(n−k) t^k; on a triangle those of a degree are ordered by i_2, then by i_1 (they belong to
-/// n!/(i_0! i_1! i_2!) φ_0^i_0 φ_1^i_1 φ_2^i_2): so the first n + 1 are those of the side from corner 0 to corner 1.
+/// n!/(i_0! i_1! i_2!) φ_0^i_0 φ_1^i_1 φ_2^i_2): so the first n + 1 are those of the side from corner 0 to corner 1. On
+/// a tetrahedron they are ordered by i_3, then as on a triangle: the first are those of the corners 0, 1, 2.
 namespace bracket::scene {
 
-constexpr int n_bernstein(int degree) { return (degree + 1) * (degree + 2) / 2; }
+/// How many there are on a simplex of dimension d.
+template <int d = 2> constexpr int n_bernstein(int degree) {
+  static_assert(1 <= d && d <= 3);
+  if constexpr (d == 1) return degree + 1;
+  if constexpr (d == 2) return (degree + 1) * (degree + 2) / 2;
+  if constexpr (d == 3) return (degree + 1) * (degree + 2) * (degree + 3) / 6;
+}
 
 /// The place of the coefficient (degree − i_1 − i_2, i_1, i_2).
 constexpr int bernstein_place(int degree, int i1, int i2) { return i2 * (2 * degree + 3 - i2) / 2 + i1; }
 
-/// All (i_0, i_1, i_2) with this sum, in their order. \param degree up to 6: twice that of stresses
-const std::vector<std::array<int, 3>>& bernstein_indices(int degree);
+/// All (i_0, …, i_d) with this sum, in their order, on a triangle or a tetrahedron.
+/// \param degree up to 6: twice that of stresses; on a tetrahedron up to 2
+template <int d = 2> const std::vector<std::array<int, d + 1>>& bernstein_indices(int degree);
+template <> const std::vector<std::array<int, 3>>& bernstein_indices<2>(int degree);
+template <> const std::vector<std::array<int, 4>>& bernstein_indices<3>(int degree);
 inline int bernstein_place(const std::array<int, 3>& i) { return bernstein_place(i[0] + i[1] + i[2], i[1], i[2]); }
+inline int bernstein_place(const std::array<int, 4>& i) {
+  const int degree = i[0] + i[1] + i[2];  // of the layer
+  return n_bernstein<3>(degree + i[3]) - n_bernstein<3>(degree) + bernstein_place(degree, i[1], i[2]);
+}
 
 constexpr int binomial(int n, int k) {
   int result = 1;
@@ -28,6 +42,10 @@ constexpr int binomial(int n, int k) {
 /// n! / (i_0! i_1! i_2!), n their sum.
 constexpr int trinomial(const std::array<int, 3>& i) {
   return binomial(i[0] + i[1] + i[2], i[0]) * binomial(i[1] + i[2], i[1]);
+}
+/// n! / (i_0! i_1! i_2! i_3!)
+constexpr int quadrinomial(const std::array<int, 4>& i) {
+  return binomial(i[0] + i[1] + i[2] + i[3], i[0]) * trinomial({i[1], i[2], i[3]});
 }
 
 /// v · part / whole, without rounding where that is v.

@@ -5,32 +5,37 @@ namespace bracket::scene {
 
 namespace {
 
-std::vector<ControlPoint> make_control_points(int degree) {
+template <int dim> std::vector<ControlPoint> make_control_points(int degree) {
   std::vector<ControlPoint> points;
   int inside = 0;
-  for (const auto& i : bernstein_indices(degree)) {
-    int zero = -1, whole = -1;
-    for (int corner = 0; corner < 3; ++corner) {
-      if (i[corner] == 0) zero = corner;
-      if (i[corner] == degree) whole = corner;
-    }
-    if (whole >= 0)
-      points.push_back({ControlPoint::On::vertex, whole, 0});
-    else if (zero >= 0)
-      points.push_back({ControlPoint::On::edge, zero, i[Simplex<2>::edges[zero][1]]});
-    else
+  for (const auto& i : bernstein_indices<dim>(degree)) {
+    std::vector<int> corners;  // that it counts
+    for (int corner = 0; corner <= dim; ++corner)
+      if (i[corner] > 0) corners.push_back(corner);
+    if (corners.size() == 1) {
+      points.push_back({ControlPoint::On::vertex, corners[0], 0});
+    } else if (corners.size() == 2) {
+      const int edge = Simplex<dim>::edge_between(corners[0], corners[1]);
+      points.push_back({ControlPoint::On::edge, edge, i[Simplex<dim>::edges[edge][1]]});
+    } else {
       points.push_back({ControlPoint::On::cell, 0, inside++});
+    }
   }
   return points;
 }
 
 }  // namespace
 
-const std::vector<ControlPoint>& control_points(int degree) {
-  static const std::array<std::vector<ControlPoint>, largest_degree + 1> points = {
-      std::vector<ControlPoint>{}, make_control_points(1), make_control_points(2), make_control_points(3),
-      make_control_points(4)};
-  return points.at(degree);
+template <int dim> const std::vector<ControlPoint>& control_points(int degree) {
+  static const auto of_degrees = [] {
+    std::array<std::vector<ControlPoint>, largest_degree_in<dim>() + 1> points;
+    for (int n = 1; n < static_cast<int>(points.size()); ++n) points[n] = make_control_points<dim>(n);
+    return points;
+  }();
+  return of_degrees.at(degree);
 }
+
+template const std::vector<ControlPoint>& control_points<2>(int);
+template const std::vector<ControlPoint>& control_points<3>(int);
 
 }  // namespace bracket::scene

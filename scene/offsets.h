@@ -63,15 +63,15 @@ std::vector<Value> coefficients_inside(int degree, const std::vector<Value>& coe
 
 /// The coefficients on a cell of what offsets stand for, in the order of control_points(): zero at the vertices, and
 /// inside where those are not given.
-template <class Value>
-std::vector<Value> on_cell(const Mesh<2>& mesh, int degree, const std::vector<Value>& inside_edges,
+template <class Value, int dim>
+std::vector<Value> on_cell(const Mesh<dim>& mesh, int degree, const std::vector<Value>& inside_edges,
                            const std::vector<Value>& inside_cells, int cell) {
   std::vector<Value> coefficients;
-  for (const ControlPoint& point : control_points(degree)) {
+  for (const ControlPoint& point : control_points<dim>(degree)) {
     Value value = zero_value<Value>();
     if (point.on == ControlPoint::On::edge)
       value = inside_edges[place_inside_edge(mesh, degree, mesh.cell_edges[cell][point.which],
-                                             mesh.cells[cell][Simplex<2>::edges[point.which][0]], point.k)];
+                                             mesh.cells[cell][Simplex<dim>::edges[point.which][0]], point.k)];
     if (point.on == ControlPoint::On::cell && !inside_cells.empty())
       value = inside_cells[n_inside_cell(degree) * cell + point.k];
     coefficients.push_back(value);
@@ -81,20 +81,20 @@ std::vector<Value> on_cell(const Mesh<2>& mesh, int degree, const std::vector<Va
 
 /// Of a displacement field those inside of an edge, from its lower vertex to its higher.
 /// \param vertex what the field has at the vertices   \param between (a, b): the vector from a to b
-template <class Number, class Value, class Between>
-std::vector<Value> offsets_inside_edge(const Mesh<2>& mesh, const Displacement<2>& u,
-                                       const std::vector<Vector<2>>& vertex, const Between& between, int edge) {
+template <class Number, class Value, class Between, int dim>
+std::vector<Value> offsets_inside_edge(const Mesh<dim>& mesh, const Displacement<dim>& u,
+                                       const std::vector<Vector<dim>>& vertex, const Between& between, int edge) {
   std::vector<Value> beside;  // the linear field
   const auto& [a, b] = mesh.edges[edge];
   for (int k = 1; k < u.degree; ++k) {
-    const Vector<2>& at = u.edge[n_inside_edge(u.degree) * edge + k - 1];
+    const Vector<dim>& at = u.edge[n_inside_edge(u.degree) * edge + k - 1];
     beside.push_back(share<Number, Value>(between(vertex[a], at), u.degree - k, u.degree) +
                      share<Number, Value>(between(vertex[b], at), k, u.degree));
   }
   return beside.empty() ? beside : coefficients_inside<Number>(beside);
 }
 
-/// Those inside of a cell. \param coefficients of the cell, which those inside are not read of
+/// Planar: those inside of a cell. \param coefficients of the cell, which those inside are not read of
 template <class Number, class Value, class Between>
 std::vector<Value> offsets_inside_cell(const Mesh<2>& mesh, const Displacement<2>& u,
                                        const std::vector<Vector<2>>& vertex, const Between& between, int cell,
@@ -114,28 +114,31 @@ std::vector<Value> offsets_inside_cell(const Mesh<2>& mesh, const Displacement<2
 }
 
 /// All of them.
-template <class Number, class Value, class Between>
-Offsets<Value> offsets(const Mesh<2>& mesh, const Displacement<2>& u, const std::vector<Vector<2>>& vertex,
+template <class Number, class Value, class Between, int dim>
+Offsets<Value> offsets(const Mesh<dim>& mesh, const Displacement<dim>& u, const std::vector<Vector<dim>>& vertex,
                        const Between& between) {
   Offsets<Value> result;
   for (std::size_t e = 0; e < mesh.edges.size() && u.degree > 1; ++e)
     for (const Value& value : offsets_inside_edge<Number, Value>(mesh, u, vertex, between, static_cast<int>(e)))
       result.edge.push_back(value);
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()) && u.degree > 2; ++cell) {
-    const std::vector<Value> coefficients = on_cell(mesh, u.degree, result.edge, {}, cell);
-    for (const Value& value : offsets_inside_cell<Number>(mesh, u, vertex, between, cell, coefficients))
-      result.cell.push_back(value);
-  }
+  if constexpr (dim == 2)
+    for (int cell = 0; cell < static_cast<int>(mesh.cells.size()) && u.degree > 2; ++cell) {
+      const std::vector<Value> coefficients = on_cell(mesh, u.degree, result.edge, {}, cell);
+      for (const Value& value : offsets_inside_cell<Number>(mesh, u, vertex, between, cell, coefficients))
+        result.cell.push_back(value);
+    }
   return result;
 }
 
 /// u_b − u_a in plain numbers.
-inline Vector<2> plain_difference(const Vector<2>& a, const Vector<2>& b) { return b - a; }
+template <int dim> Vector<dim> plain_difference(const Vector<dim>& a, const Vector<dim>& b) { return b - a; }
 
 /// The coefficients of one cell's offsets, in plain numbers.
-std::vector<Vector<2>> offsets_on_cell(const Mesh<2>& mesh, const Displacement<2>& u, int cell);
-/// Those of a boundary facet, from its vertex 0 to its vertex 1: zero at both.
-std::vector<Vector<2>> offsets_on_facet(const Mesh<2>& mesh, const Displacement<2>& u, int facet);
+template <int dim>
+std::vector<Vector<dim>> offsets_on_cell(const Mesh<dim>& mesh, const Displacement<dim>& u, int cell);
+/// Those of a boundary facet, in the order of scene/on_facet.h: zero at its vertices.
+template <int dim>
+std::vector<Vector<dim>> offsets_on_facet(const Mesh<dim>& mesh, const Displacement<dim>& u, int facet);
 
 /// u at a point of a cell, by its barycentric coordinates.
 Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cell, const std::array<double, 3>& point);

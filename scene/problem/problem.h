@@ -178,7 +178,7 @@ template <int dim> Piece<dim - 1> piece_of_facet(const Problem<dim>& problem, in
 template <int dim> std::vector<int> contacts_by_first(const Problem<dim>& problem);
 
 /// What is linear of the loads on a facet of Γ_τ, and of Γ_K in a perturbed problem, all kinds added up, at its
-/// vertices, per unit of its parameter (traction · length). It has their resultant and moment.
+/// vertices, per unit of its parameter (traction · length, in space · area). It has their resultant and moment.
 template <int dim> std::array<Vector<dim>, std::size_t{dim}> load(const Problem<dim>& problem, int facet);
 /// What they have beside it likewise: the coefficients of Legendre's polynomials P_2 and P_3.
 template <int dim> std::array<Vector<dim>, 2> higher_load(const Problem<dim>& problem, int facet);
