@@ -55,6 +55,7 @@ Scaled scaled(const Interface& problem) {
   to.motion = row.asDiagonal() * problem.motion;
   to.load = problem.load;
   to.limits = scaled(complete(problem.limits, row.size()), row.cwiseInverse());
+  to.may_depend = problem.may_depend;
   if (k == 0) return result;
   Orthonormal found = orthonormal(to.motion);
   to.motion = std::move(found.q);
@@ -126,8 +127,23 @@ std::optional<Equality> solve_closed(const Interface& problem, const std::vector
   MatrixXd definite = problem.compliance(active, active);
   definite += motion * motion.transpose();
   const VectorXd diagonal = definite.diagonal();
-  const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(definite);
-  if (factor.info() != Eigen::Success || !regular(definite.diagonal(), diagonal)) return {};
+  const auto factorised = [&] {
+    const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(definite);
+    return factor.info() == Eigen::Success && regular(definite.diagonal(), diagonal);
+  };
+  // Rows that depend on each other: with a little on the diagonal, and what that spoils taken out again, p comes near
+  // to the one of least norm.
+  constexpr double little = 1e-10;
+  constexpr int refinements = 2;
+  bool depend = false;
+  if (!factorised()) {
+    if (!problem.may_depend) return {};
+    depend = true;
+    definite = problem.compliance(active, active);
+    definite += motion * motion.transpose();
+    definite.diagonal().array() += little;
+    if (!factorised()) return {};
+  }
 
   const auto lower = definite.triangularView<Eigen::Lower>();
   const MatrixXd left = motion.size() > 0 ? MatrixXd(lower.solve(motion)) : motion;
@@ -139,6 +155,14 @@ std::optional<Equality> solve_closed(const Interface& problem, const std::vector
   if (!given.isZero(0))
     found = sum(*found, *response(-(problem.compliance * given), -(problem.motion.transpose() * given)));
   const auto upper = definite.transpose().triangularView<Eigen::Upper>();
+  for (int step = 0; step < refinements && depend; ++step) {
+    VectorXd pressure = given;
+    pressure(active) = VectorXd(upper.solve(VectorXd(found->parts.rowwise().sum())));
+    const auto further = response(overlap - problem.compliance * pressure + problem.motion * found->motion,
+                                  load - problem.motion.transpose() * pressure);
+    if (!further) return {};
+    found = sum(*found, *further);
+  }
   return equality(active, given, *found, upper.solve(VectorXd(found->parts.rowwise().sum())),
                   upper.solve(found->parts));
 }

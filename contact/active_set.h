@@ -17,13 +17,14 @@ struct Interface {
   Eigen::MatrixXd motion;      ///< G, m × k, full column rank
   Eigen::VectorXd load;        ///< e, k
   Limits limits = {};          ///< m
+  bool may_depend = false;     ///< rows that depend on each other may be active together: p is of least norm then
 };
 
 struct Pressure {
   Termination termination = Termination::solved;  ///< or contradiction; then nothing else is set
   Eigen::VectorXd pressure;                       ///< p, m, within the limits
   Eigen::VectorXd motion;                         ///< α, k
-  std::vector<Eigen::Index> active;               ///< independent rows without slack, the others keep their p
+  std::vector<Eigen::Index> active;  ///< rows without slack, independent unless they may depend; others keep their p
   int iterations = 0;
 };
 
@@ -61,7 +62,7 @@ Equality equality(const std::vector<Eigen::Index>& active, const Eigen::VectorXd
                   const Eigen::VectorXd& sum, const Eigen::MatrixXd& parts);
 
 /// \param overlap, load taken for w, e   \param given p off `active`, m, zero on it
-/// \return nothing where rows of `active` depend on each other or do not resist all motions
+/// \return nothing where rows of `active` do not resist all motions, or depend on each other and must not
 std::optional<Equality> solve_closed(const Interface& problem, const std::vector<Eigen::Index>& active,
                                      const Eigen::VectorXd& overlap, const Eigen::VectorXd& load,
                                      const Eigen::VectorXd& given);

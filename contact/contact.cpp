@@ -5,7 +5,9 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <optional>
+#include <stdexcept>
 
 #include "contact/active_set.h"
 #include "contact/clock.h"
@@ -20,16 +22,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+using Sparse = Eigen::SparseMatrix<double>;
+
 /// K⁺ (f − Bᵀ p)
-VectorXd elastic_displacement(const System& body, const Condensed& condensed, const VectorXd& force,
+VectorXd elastic_displacement(const Sparse& rows, const Condensed& condensed, const VectorXd& force,
                               const VectorXd& pressure) {
-  return condensed.apply(force - body.rows.transpose() * pressure);
+  return condensed.apply(force - rows.transpose() * pressure);
 }
 
 /// Σ B u
-VectorXd approach(const std::vector<System>& bodies, const std::vector<VectorXd>& displacement) {
-  VectorXd result = VectorXd::Zero(bodies.front().rows.rows());
-  for (std::size_t b = 0; b < bodies.size(); ++b) result += bodies[b].rows * displacement[b];
+VectorXd approach(const std::vector<Sparse>& rows, const std::vector<VectorXd>& displacement) {
+  VectorXd result = VectorXd::Zero(rows.front().rows());
+  for (std::size_t b = 0; b < rows.size(); ++b) result += rows[b] * displacement[b];
   return result;
 }
 
@@ -94,46 +98,59 @@ std::vector<VectorXd> in_terms_of_rigid(const std::vector<System>& bodies, const
 
 }  // namespace
 
-struct Bodies::Factorised {
+/// The bodies without their contact.
+struct Bodies::Elastic {
   std::vector<System> systems;
   std::vector<Motions> bases;
-  Statics statics;
-  std::vector<Condensed> condensed;  ///< up to the first that is not definite
+  std::vector<Condensed> condensed;  ///< factorised up to the first that is not definite
   int not_definite = -1;
-  MatrixXd compliance;  ///< F
+};
+
+/// With rows of contact.
+struct Bodies::WithRows {
+  std::shared_ptr<const Elastic> elastic;
+  std::vector<Sparse> rows;  ///< B of each body
+  bool may_depend;
+  Sparse added;  ///< A; empty: none
+  Statics statics;
+  MatrixXd compliance;  ///< F + A
   Phases seconds;
 
+  const std::vector<System>& systems() const { return elastic->systems; }
+  const std::vector<Motions>& bases() const { return elastic->bases; }
+  const Condensed& condensed(std::size_t body) const { return elastic->condensed[body]; }
   Interface interface(const Given& given) const;
   State refined(const Given& given, const Scaled& interface, const std::vector<Index>& active, State state) const;
   std::vector<VectorXd> displacements(const Statics& of, const State& state) const;
 };
 
-Interface Bodies::Factorised::interface(const Given& given) const {
+Interface Bodies::WithRows::interface(const Given& given) const {
   std::vector<VectorXd> unhindered;
-  for (std::size_t b = 0; b < systems.size(); ++b) unhindered.push_back(condensed[b].apply(given.loads[b]));
-  const VectorXd free_approach = approach(systems, unhindered);
+  for (std::size_t b = 0; b < rows.size(); ++b) unhindered.push_back(condensed(b).apply(given.loads[b]));
+  const VectorXd free_approach = approach(rows, unhindered);
   return {compliance,
           free_approach - given.gap,
           free_approach.cwiseAbs() + given.gap.cwiseAbs(),
           given.statics.rows,
           given.load,
-          given.limits};
+          given.limits,
+          may_depend};
 }
 
 /// One step of iterative refinement on the whole: what K u + Bᵀ p = f, the closed rows and Gᵀ p = e still lack.
 /// Rigid motions stay out of the residuals, so a large one does no harm. The rounding of all n rows of K adds up along
 /// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
-State Bodies::Factorised::refined(const Given& given, const Scaled& interface, const std::vector<Index>& active,
-                                  State state) const {
+State Bodies::WithRows::refined(const Given& given, const Scaled& interface, const std::vector<Index>& active,
+                                State state) const {
   std::vector<VectorXd> residual;
   VectorXd misfit = given.statics.rows * state.motion - given.gap;
-  for (std::size_t b = 0; b < systems.size(); ++b) {
-    const System& body = systems[b];
-    VectorXd carried = body.stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
-    const MatrixXd& basis = bases[b].basis;  // basisᵀ basis = n
+  if (added.size() > 0) misfit -= added * state.pressure;
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    VectorXd carried = systems()[b].stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
+    const MatrixXd& basis = bases()[b].basis;  // basisᵀ basis = n
     if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
-    residual.push_back(given.loads[b] - body.rows.transpose() * state.pressure - carried);
-    misfit += body.rows * (state.elastic[b] + condensed[b].apply(residual[b]));
+    residual.push_back(given.loads[b] - rows[b].transpose() * state.pressure - carried);
+    misfit += rows[b] * (state.elastic[b] + condensed(b).apply(residual[b]));
   }
   const VectorXd none = VectorXd::Zero(given.gap.size());
   VectorXd change = none;
@@ -148,72 +165,120 @@ State Bodies::Factorised::refined(const Given& given, const Scaled& interface, c
       state.motion += interface.motion.triangularView<Eigen::Upper>().solve(closed->motion);
     }
   }
-  for (std::size_t b = 0; b < systems.size(); ++b)
-    state.elastic[b] += elastic_displacement(systems[b], condensed[b], residual[b], change);
+  for (std::size_t b = 0; b < rows.size(); ++b)
+    state.elastic[b] += elastic_displacement(rows[b], condensed(b), residual[b], change);
   state.pressure = clamped(state.pressure + change, given.limits);
   return state;
 }
 
 /// u of each body: of all solutions the one that moves least.
-std::vector<VectorXd> Bodies::Factorised::displacements(const Statics& of, const State& state) const {
+std::vector<VectorXd> Bodies::WithRows::displacements(const Statics& of, const State& state) const {
   VectorXd motion = VectorXd::Zero(of.free.rows());
   motion(of.resisted) = state.motion;
   motion -= of.free * (of.free.transpose() * motion);
   std::vector<VectorXd> result;
   Index first = 0;
-  for (std::size_t b = 0; b < systems.size(); ++b) {
-    const Index k = bases[b].basis.cols();
-    result.push_back(state.elastic[b] + bases[b].basis * motion.segment(first, k));
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    const Index k = bases()[b].basis.cols();
+    result.push_back(state.elastic[b] + bases()[b].basis * motion.segment(first, k));
     first += k;
   }
   return result;
 }
 
-Bodies::Bodies(std::vector<System> systems) {
-  assert(!systems.empty());
-  Clock watch;
-  Factorised made{std::move(systems), {}, {}, {}, -1, {}, {}};
-  const Index m = made.systems.front().rows.rows();
-  for (const System& body : made.systems) made.bases.push_back(motions(body.rigid));
-  made.statics = statics(made.systems, made.bases);
-  made.seconds.contact = watch.lap();
+namespace {
 
-  for (std::size_t b = 0; b < made.systems.size() && made.not_definite < 0; ++b) {
-    const System& body = made.systems[b];
-    assert(body.stiffness.isCompressed() && body.rows.rows() == m);
-    const std::vector<int> contact = contact_unknowns(body.rows);
-    made.condensed.push_back(
-        {pins(made.bases[b].basis, contact), Factor(body.stiffness, body.nodes, body.sequence, contact)});
-    made.seconds.order += watch.lap();
-    const std::vector<int>& pinned = made.condensed[b].pinned;
-    Factor& factor = made.condensed[b].factor;
-    const bool definite =
-        pinned.empty() ? factor.factorise(body.stiffness) : factor.factorise(pinned_stiffness(body.stiffness, pinned));
-    if (!definite) made.not_definite = static_cast<int>(b);
-    made.seconds.factorise += watch.lap();
-  }
-
-  if (made.not_definite < 0) {
-    made.compliance = MatrixXd::Zero(m, m);
-    for (std::size_t b = 0; b < made.systems.size(); ++b)
-      if (made.systems[b].rows.nonZeros() > 0) add_compliance(made.systems[b].rows, made.condensed[b], made.compliance);
-  }
-  made.seconds.contact += watch.lap();
-  factorised_ = std::make_unique<const Factorised>(std::move(made));
+/// \return F   \param added A, empty: none
+MatrixXd compliance_of(const std::vector<Sparse>& rows, const std::vector<Condensed>& bodies, const Sparse& added) {
+  MatrixXd result = MatrixXd::Zero(rows.front().rows(), rows.front().rows());
+  for (std::size_t b = 0; b < rows.size(); ++b)
+    if (rows[b].nonZeros() > 0) add_compliance(rows[b], bodies[b], result);
+  if (added.size() > 0) result += added;
+  return result;
 }
 
+/// The factors, and at the worst moments of the contact: F beside what it is made of, and beside two scaled copies.
+double memory(const std::vector<Sparse>& rows, const std::vector<Condensed>& bodies) {
+  double doubles = 0, making = 0;
+  const auto m = static_cast<double>(rows.front().rows());
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    doubles += bodies[b].factor.entries();
+    const auto last = static_cast<double>(contact_unknowns(rows[b]).size());
+    making = std::max(making, last * (last + m) + m * m);
+  }
+  return sizeof(double) * (doubles + m * m + std::max(making, 2 * m * m));
+}
+
+}  // namespace
+
+Bodies::Bodies(std::vector<System> systems, bool rows_may_depend) {
+  assert(!systems.empty());
+  Clock watch;
+  auto elastic = std::make_shared<Elastic>();
+  elastic->systems = std::move(systems);
+  WithRows made{elastic, {}, rows_may_depend, {}, {}, {}, {}};
+  for (const System& body : elastic->systems) {
+    assert(body.stiffness.isCompressed() && body.rows.rows() == elastic->systems.front().rows.rows());
+    made.rows.push_back(body.rows);
+    elastic->bases.push_back(motions(body.rigid));
+  }
+  made.statics = statics(made.rows, elastic->bases);
+  made.seconds.contact = watch.lap();
+
+  for (std::size_t b = 0; b < elastic->systems.size(); ++b) {
+    const System& body = elastic->systems[b];
+    const std::vector<int> contact = contact_unknowns(body.rows);
+    elastic->condensed.push_back(
+        {pins(elastic->bases[b].basis, contact), Factor(body.stiffness, body.nodes, body.sequence, contact)});
+  }
+  if (memory(made.rows, elastic->condensed) > physical_memory()) throw std::bad_alloc();
+  made.seconds.order = watch.lap();
+
+  for (std::size_t b = 0; b < elastic->systems.size() && elastic->not_definite < 0; ++b) {
+    const Sparse& stiffness = elastic->systems[b].stiffness;
+    auto& [pinned, factor] = elastic->condensed[b];
+    const bool definite =
+        pinned.empty() ? factor.factorise(stiffness) : factor.factorise(pinned_stiffness(stiffness, pinned));
+    if (!definite) elastic->not_definite = static_cast<int>(b);
+  }
+  made.seconds.factorise = watch.lap();
+
+  if (elastic->not_definite < 0) made.compliance = compliance_of(made.rows, elastic->condensed, {});
+  made.seconds.contact += watch.lap();
+  with_rows_ = std::make_unique<const WithRows>(std::move(made));
+}
+
+Bodies::Bodies(std::unique_ptr<const WithRows> with_rows) : with_rows_(std::move(with_rows)) {}
 Bodies::Bodies(Bodies&&) noexcept = default;
 Bodies& Bodies::operator=(Bodies&&) noexcept = default;
 Bodies::~Bodies() = default;
 
-const std::vector<System>& Bodies::systems() const { return factorised_->systems; }
+Bodies Bodies::with_rows(std::vector<Sparse> rows, Sparse added) const {
+  Clock watch;
+  const auto& elastic = with_rows_->elastic;
+  assert(rows.size() == elastic->systems.size());
+  for (std::size_t b = 0; b < rows.size(); ++b) {
+    const std::vector<int> last = contact_unknowns(elastic->systems[b].rows), touched = contact_unknowns(rows[b]);
+    if (!std::includes(last.begin(), last.end(), touched.begin(), touched.end()))
+      throw std::invalid_argument("contact::Bodies::with_rows: a row touches an unknown that no row touched before");
+  }
+  WithRows made{elastic, std::move(rows), true, std::move(added), {}, {}, with_rows_->seconds};
+  made.statics = statics(made.rows, elastic->bases);
+  if (elastic->not_definite < 0) made.compliance = compliance_of(made.rows, elastic->condensed, made.added);
+  made.seconds.contact = watch.lap();
+  return Bodies(std::make_unique<const WithRows>(std::move(made)));
+}
 
-VectorXd Bodies::respond(int body, const VectorXd& force) const { return factorised_->condensed[body].apply(force); }
+const std::vector<System>& Bodies::systems() const { return with_rows_->systems(); }
+
+const std::vector<Sparse>& Bodies::rows() const { return with_rows_->rows; }
+
+VectorXd Bodies::respond(int body, const VectorXd& force) const { return with_rows_->condensed(body).apply(force); }
 
 Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, const std::vector<char>& guess,
                        const Limits& given_limits) const {
-  const Factorised& bodies = *factorised_;
-  assert(loads.size() == bodies.systems.size() && gap.size() == bodies.systems.front().rows.rows() &&
+  const WithRows& bodies = *with_rows_;
+  assert(loads.size() == bodies.rows.size() && gap.size() == bodies.rows.front().rows() &&
          (guess.empty() || static_cast<Index>(guess.size()) == gap.size()));
   Solution solution;
   Clock watch;
@@ -221,19 +286,19 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
   const Limits limits = complete(given_limits, gap.size());
   const std::vector<char> fixed = fixed_rows(limits);
   const std::optional<Statics> without_fixed =
-      fixed.empty() ? std::nullopt : std::optional(statics(bodies.systems, bodies.bases, fixed));
+      fixed.empty() ? std::nullopt : std::optional(statics(bodies.rows, bodies.bases(), fixed));
   const Statics& of_rows = without_fixed ? *without_fixed : bodies.statics;
   const BalancedLoad balanced =
-      balanced_load(of_rows, bodies.bases, left_by_fixed(loads, bodies.systems, limits, fixed), limits);
+      balanced_load(of_rows, bodies.bases(), left_by_fixed(loads, bodies.rows, limits, fixed), limits);
   solution.imbalance = balanced.imbalance;
   if (!balanced.possible) {
     solution.termination = Termination::no_equilibrium;
-    solution.motion = in_terms_of_rigid(bodies.systems, bodies.bases, balanced.motion);
+    solution.motion = in_terms_of_rigid(bodies.systems(), bodies.bases(), balanced.motion);
     return solution;
   }
-  if (bodies.not_definite >= 0) {
+  if (bodies.elastic->not_definite >= 0) {
     solution.termination = Termination::not_definite;
-    solution.body = bodies.not_definite;
+    solution.body = bodies.elastic->not_definite;
     return solution;
   }
 
@@ -249,7 +314,7 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
               scaled(found.pressure, interface.row, interface.problem.limits, limits),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < loads.size(); ++b)
-    state.elastic.push_back(elastic_displacement(bodies.systems[b], bodies.condensed[b], loads[b], state.pressure));
+    state.elastic.push_back(elastic_displacement(bodies.rows[b], bodies.condensed(b), loads[b], state.pressure));
   state = bodies.refined(given, interface, found.active, std::move(state));
 
   solution.displacement = bodies.displacements(of_rows, state);
@@ -264,7 +329,7 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
 Statistics statistics(const Bodies& bodies, const Solution& solution) {
   Statistics result{0, 0, 0, solution.iterations, solution.imbalance, solution.seconds};
   for (const System& body : bodies.systems()) result.unknowns += static_cast<int>(body.stiffness.cols());
-  result.rows = static_cast<int>(bodies.systems().front().rows.rows());
+  result.rows = static_cast<int>(bodies.rows().front().rows());
   result.active_rows = static_cast<int>(std::count(solution.active.begin(), solution.active.end(), 1));
   return result;
 }

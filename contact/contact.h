@@ -19,7 +19,7 @@ struct System {
   std::vector<int> nodes;  ///< unknowns nodes[i] … nodes[i+1]−1 share their neighbours; begins with 0, ends
                            ///< with n
   Eigen::SparseMatrix<double> rows;  ///< B, m × n; the approach is r = Σ B u over the bodies
-  Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 3
+  Eigen::MatrixXd rigid;             ///< R, n × k: the rigid motions that the supports leave, k = 0 … 6
   std::vector<int> sequence = {};    ///< in which the nodes are eliminated, but for contact's; empty: as they are
 };
 
@@ -89,14 +89,25 @@ struct Solution {
 class Bodies {
  public:
   /// Factorises them, the unknowns that rows touch last.
+  /// \param rows_may_depend whether rows that depend on each other are to be expected in numbers: then those that are
+  ///     closed have the p of least norm, in place of a search row by row
   /// \pre at least one; matrices compressed, their rows sorted
-  /// \throw std::bad_alloc, also where it is CHOLMOD that the memory does not suffice for; so below
-  explicit Bodies(std::vector<System> systems);
+  /// \throw std::bad_alloc, also where it is CHOLMOD that the memory does not suffice for; so below; and, before
+  ///     anything is factorised, where the factors and the dense matrices of the rows exceed what the machine has
+  explicit Bodies(std::vector<System> systems, bool rows_may_depend = false);
   Bodies(Bodies&&) noexcept;
   Bodies& operator=(Bodies&&) noexcept;
   ~Bodies();
 
-  const std::vector<System>& systems() const;
+  /// The same bodies, on the factors that there are, with other rows that may depend on each other, and that give way:
+  ///     min ½ pᵀ(F + A) p − pᵀ(Σ B K⁺ f − g);  between the limits of p the approach is r = g + A p.
+  /// \param rows B of each body, m × n, sorted; of unknowns that the rows touch with which it was factorised
+  /// \param added A, m × m, symmetric and positive semidefinite
+  /// \throw std::invalid_argument where they touch others
+  Bodies with_rows(std::vector<Eigen::SparseMatrix<double>> rows, Eigen::SparseMatrix<double> added) const;
+
+  const std::vector<System>& systems() const;                    ///< as they were factorised
+  const std::vector<Eigen::SparseMatrix<double>>& rows() const;  ///< B of each body
   /// \param loads f of each body   \param gap g, m
   /// \param guess rows expected to be active (m entries, or empty: all)   \param limits of p (m entries each)
   Solution solve(const std::vector<Eigen::VectorXd>& loads, const Eigen::VectorXd& gap,
@@ -106,8 +117,10 @@ class Bodies {
   Eigen::VectorXd respond(int body, const Eigen::VectorXd& force) const;
 
  private:
-  struct Factorised;
-  std::unique_ptr<const Factorised> factorised_;
+  struct Elastic;
+  struct WithRows;
+  explicit Bodies(std::unique_ptr<const WithRows> with_rows);
+  std::unique_ptr<const WithRows> with_rows_;
 };
 
 /// While it lives, BLAS uses so many threads in the whole process; then as many as before. One where they are solved in

@@ -4,6 +4,7 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <mutex>
@@ -109,6 +110,13 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
   cholmod_sparse matrix = view(stiffness);
   handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
   if (!handle_->factor) throw std::bad_alloc();
+}
+
+double physical_memory() { return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE); }
+
+double Factor::entries() const {
+  const cholmod_factor* factor = handle_->factor;
+  return factor ? static_cast<double>(factor->xsize) + static_cast<double>(factor->maxcsize) : 0;
 }
 
 bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {

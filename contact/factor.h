@@ -14,6 +14,9 @@ struct Trailing {
   Eigen::MatrixXd lower;      ///< its strict upper triangle is zero
 };
 
+/// What the machine has, in bytes.
+double physical_memory();
+
 /// A sparse Cholesky factor P K Pᵀ = L Lᵀ.
 class Factor {
  public:
@@ -26,6 +29,8 @@ class Factor {
   Factor& operator=(Factor&&) noexcept;
   ~Factor();
 
+  /// How many numbers L and the space to compute it in take.
+  double entries() const;
   /// Computes L. \param stiffness the matrix that was laid out, or one with the same pattern
   /// \return whether it is definite: no pivot is lost in rounding
   bool factorise(const Eigen::SparseMatrix<double>& stiffness);

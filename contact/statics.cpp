@@ -12,15 +12,16 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double rounding = 1e-10;  // of motions and loads, relative: below it they count as zero
 
 /// The largest entry of each row of [B_1 … B_b]; 1 for a row without entries.
-VectorXd row_sizes(const std::vector<System>& bodies) {
-  VectorXd size = VectorXd::Zero(bodies.front().rows.rows());
-  for (const System& body : bodies)
-    for (int j = 0; j < body.rows.outerSize(); ++j)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(body.rows, j); entry; ++entry)
+VectorXd row_sizes(const std::vector<Sparse>& bodies) {
+  VectorXd size = VectorXd::Zero(bodies.front().rows());
+  for (const Sparse& rows : bodies)
+    for (int j = 0; j < rows.outerSize(); ++j)
+      for (Sparse::InnerIterator entry(rows, j); entry; ++entry)
         size[entry.row()] = std::max(size[entry.row()], std::abs(entry.value()));
   return (size.array() > 0).select(size, 1.0);
 }
@@ -95,14 +96,14 @@ std::vector<int> pins(const MatrixXd& basis, const std::vector<int>& contact) {
   return {order.data(), order.data() + basis.cols()};
 }
 
-Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions,
+Statics statics(const std::vector<Sparse>& bodies, const std::vector<Motions>& motions,
                 const std::vector<char>& fixed) {
-  const Index m = bodies.front().rows.rows();
+  const Index m = bodies.front().rows();
   MatrixXd rows(m, count(motions));
   Index first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const MatrixXd& basis = motions[b].basis;
-    rows.middleCols(first, basis.cols()) = bodies[b].rows * basis;
+    rows.middleCols(first, basis.cols()) = bodies[b] * basis;
     first += basis.cols();
   }
   const VectorXd row_size = row_sizes(bodies);
@@ -121,13 +122,13 @@ std::vector<char> fixed_rows(const Limits& limits) {
   return std::count(result.begin(), result.end(), 1) > 0 ? result : std::vector<char>();
 }
 
-std::vector<VectorXd> left_by_fixed(std::vector<VectorXd> loads, const std::vector<System>& bodies,
+std::vector<VectorXd> left_by_fixed(std::vector<VectorXd> loads, const std::vector<Sparse>& bodies,
                                     const Limits& limits, const std::vector<char>& fixed) {
   VectorXd pressure = VectorXd::Zero(limits.lower.size());
   for (std::size_t i = 0; i < fixed.size(); ++i)
     if (fixed[i]) pressure[static_cast<Index>(i)] = limits.lower[static_cast<Index>(i)];
   if (!pressure.isZero(0))
-    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies[b].rows.transpose() * pressure;
+    for (std::size_t b = 0; b < loads.size(); ++b) loads[b] -= bodies[b].transpose() * pressure;
   return loads;
 }
 

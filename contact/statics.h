@@ -35,15 +35,17 @@ struct Statics {
   Eigen::VectorXd row_size;  ///< m: the largest entry of each row of B; 1 for a row without entries
 };
 /// \param motions of each body   \param fixed rows whose p is given (m, or empty: none): they resist nothing
-Statics statics(const std::vector<System>& bodies, const std::vector<Motions>& motions,
+/// \param bodies the rows B of each
+Statics statics(const std::vector<Eigen::SparseMatrix<double>>& bodies, const std::vector<Motions>& motions,
                 const std::vector<char>& fixed = {});
 
 /// Rows whose limits leave their p no choice (m; empty: there is none).
 std::vector<char> fixed_rows(const Limits& limits);
 
-/// \return the loads less Bᵀ p of these rows   \param fixed as fixed_rows() gives it
-std::vector<Eigen::VectorXd> left_by_fixed(std::vector<Eigen::VectorXd> loads, const std::vector<System>& bodies,
-                                           const Limits& limits, const std::vector<char>& fixed);
+/// \return the loads less Bᵀ p of these rows   \param bodies their B   \param fixed as fixed_rows() gives it
+std::vector<Eigen::VectorXd> left_by_fixed(std::vector<Eigen::VectorXd> loads,
+                                           const std::vector<Eigen::SparseMatrix<double>>& bodies, const Limits& limits,
+                                           const std::vector<char>& fixed);
 
 /// Loads that pressures hold, or not.
 struct BalancedLoad {

@@ -57,7 +57,7 @@ TEST(Statics, SeparatesTheMotionsThatContactResists) {
   const VectorXd load = rows.transpose() * VectorXd::Constant(1, 2.0);  // straight onto the row
   const Loaded body = floating(no_truss, load, rows);
   const std::vector<Motions> bases{motions(body.rigid)};
-  const Statics all = statics({body}, bases);
+  const Statics all = statics({body.rows}, bases);
   EXPECT_EQ(all.resisted.size(), 1u);
   const BalancedLoad found = balanced_load(all, bases, {load}, complete({}, 1));
   ASSERT_TRUE(found.possible);
@@ -86,7 +86,7 @@ TEST(Statics, RowsThatResistNothingAreExactlyZero) {
     const MatrixXd all = body.rigid;
     body.rigid.resize(14, 2);
     body.rigid << all.col(0) * normal.y() - all.col(1) * normal.x(), all.col(2);
-    const Statics found = statics({body}, {motions(body.rigid)});
+    const Statics found = statics({body.rows}, {motions(body.rigid)});
     EXPECT_EQ(found.rows.row(0).norm(), 0);
     EXPECT_GT(found.rows.row(1).norm(), 0);
   }
