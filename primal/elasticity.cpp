@@ -9,13 +9,13 @@ namespace bracket::primal {
 
 template <int dim>
 void for_each_cell(const scene::Problem<dim>& problem, int component, int degree, const UseCell& use) {
-  static_assert(dim == 2, "the Bernstein polynomials are those of a triangle");
   const auto& mesh = problem.mesh;
   using Products = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-  const Eigen::Index n = scene::n_bernstein(degree);
+  const Eigen::Index n = scene::n_bernstein<dim>(degree);
   const auto reference = [&](int a, int b) {
-    return Products(reference_products(degree) + (dim * a + b) * n * n, n, n);
+    return Products(reference_products<dim>(degree) + (dim * a + b) * n * n, n, n);
   };
+  constexpr int by_volume = dim == 2 ? 2 : 6;  // of the reference cell
   Eigen::MatrixXd stiffness(dim * n, dim * n);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     if (mesh.cell_component[c] != component) continue;
@@ -29,7 +29,8 @@ void for_each_cell(const scene::Problem<dim>& problem, int component, int degree
         strain.col(dim * a + k) = scene::strain<dim>(of_displacement);
       }
     const Eigen::Matrix<double, dim * dim, dim* dim> form =
-        2 * scene::volume(mesh, cell) * (strain.transpose() * body_of(problem, cell).material.stiffness() * strain);
+        by_volume * scene::volume(mesh, cell) *
+        (strain.transpose() * body_of(problem, cell).material.stiffness() * strain);
     for (int k = 0; k < dim; ++k)
       for (int l = 0; l < dim; ++l) {
         auto entries = stiffness(Eigen::seqN(k, n, dim), Eigen::seqN(l, n, dim));
@@ -42,5 +43,6 @@ void for_each_cell(const scene::Problem<dim>& problem, int component, int degree
 }
 
 template void for_each_cell(const scene::Problem<2>&, int, int, const UseCell&);
+template void for_each_cell(const scene::Problem<3>&, int, int, const UseCell&);
 
 }  // namespace bracket::primal

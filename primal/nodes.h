@@ -18,7 +18,7 @@ template <int dim> struct Node {
 
 /// All nodes: those at Mesh::vertices, those inside of Mesh::edges (from the lower vertex to the higher) and those
 /// inside of Mesh::cells. The supports are built into them exactly; where a node is free but in contact, its first
-/// direction is the contact normal.
+/// direction is the contact normal, in space also what is left of that where the node slides.
 template <int dim> struct Nodes {
   int degree;
   std::vector<Node<dim>> node;
@@ -35,6 +35,9 @@ template <int dim> struct Nodes {
 };
 /// Indices into Nodes::node of a cell's, in the order of scene::control_points().
 template <int dim> std::vector<int> cell_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int cell);
+/// Those of a boundary facet, in the order of scene/on_facet.h.
+template <int dim> std::vector<int> facet_nodes(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes, int facet);
+/// \throw scene::Error (input) unless the degree is one from 1 to 4, in space 1 or 2
 template <int dim> Nodes<dim> make_nodes(const scene::Problem<dim>& problem, int degree);
 
 }  // namespace bracket::primal

@@ -6,7 +6,7 @@
 #include "contact/contact.h"
 #include "scene/scene.h"
 
-/// Displacements: the upper bound. Polynomials on triangles in Bernstein form, exactly
+/// Displacements: the upper bound. Polynomials on triangles and tetrahedra in Bernstein form, exactly
 /// admissible: u_h ∈ K (docs/theory.md §3).
 namespace bracket::primal {
 
@@ -18,9 +18,19 @@ template <int dim> struct Result {
   contact::Statistics statistics;
 };
 
+/// Pressures that are linear on each contact facet, as stresses that are made from displacements locally need them.
+template <int dim> struct PressureResult {
+  contact::Termination termination = contact::Termination::solved;
+  std::string reason;  ///< if not solved: one line
+  /// Per Problem::contact, at the vertices of the first facet, force per area: ≥ 0 but where the sides keep together.
+  std::vector<std::array<double, dim>> pressure;
+  /// ũ, with these pressures in place of contact: A(ũ,v) = ℓ(v) − ∫ p r(v) for all v that keep the supports at zero.
+  scene::Displacement<dim> displacement;
+};
+
 /// What can be said of a contact without a solve: whether the displacements prescribed on both of its sides leave any
 /// that are admissible, K_h ≠ ∅ there.
-/// \param degree 1 to 4, as for Solver
+/// \param degree 1 to 4, in space 1 or 2, as for Solver
 /// \throw scene::Error (input: another degree; ill_posed: they alone already close a gap by more than it has)
 template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
 
@@ -31,7 +41,7 @@ template <int dim> class Solver {
   /// \param degree of the displacements
   /// \param any_gap whether problems are to follow whose gaps are not linear where those of this one are, or the other
   ///     way round
-  /// \throw scene::Error (input) if it is not from 1 to 4; as check_prescribed()
+  /// \throw scene::Error (input) for another degree; as check_prescribed()
   Solver(const scene::Problem<dim>& problem, int degree, bool any_gap = false);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
@@ -40,6 +50,12 @@ template <int dim> class Solver {
   /// \throw std::invalid_argument where other displacements are unknown, or contact needs other rows, than in the
   ///     problem that was factorised; scene::Error as check_prescribed()
   Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
+
+  /// The pressures of least complementary energy, F the compliance for the moments of r against the
+  /// facets' hat functions, with a term for their jumps from facet to facet. Whether any balance
+  /// the loads is decided first; if not: no_equilibrium, though solve() may find displacements.
+  /// \param problem as for solve(), without springs and friction
+  PressureResult<dim> solve_with_pressure(const scene::Problem<dim>& problem) const;
 
  private:
   struct Factorised;

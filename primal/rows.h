@@ -27,10 +27,10 @@ struct Row {
 };
 
 /// Rows that make r ≤ g on all of Γ_K, or r = g: the Bernstein coefficients of r on each facet are bounded by those of
-/// g, at the ends once for each distinct normal that meets there. Rows without unknowns are checked and dropped. On
-/// facets with springs the coefficients of r − s are, of each facet by itself; and v_t has rows where there is
-/// friction. \param any_gap the rows that some gap needs, whatever that of the problem is: linear displacements meet
-/// the middle
+/// g, at vertices and, in space, edges once for each distinct normal that meets there. Rows without unknowns are
+/// checked and dropped. On facets with springs the coefficients of r − s are, of each facet by itself; and v_t has rows
+/// where there is friction. \param any_gap the rows that some gap needs, whatever that of the problem is: linear
+/// displacements meet the middle
 ///     coefficients of most gaps by themselves
 /// \throw scene::Error (ill_posed) if such a row is violated
 template <int dim>

@@ -3,19 +3,15 @@
 #include <stdexcept>
 
 #include "contact/clock.h"
-#include "primal/primal.h"
-#include "primal/systems.h"
+#include "primal/factorised.h"
 #include "scene/mesh/dissection.h"
 #include "scene/problem/law.h"
 
 namespace bracket::primal {
 
-namespace {
-
 using scene::Problem;
 using scene::Vector;
 
-/// The values at equally spaced points of the polynomials with the coefficients found.
 template <int dim>
 scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>& nodes,
                                  const std::vector<Eigen::VectorXd>& unknowns) {
@@ -23,8 +19,8 @@ scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>&
   scene::Displacement<dim> field{degree, {}, {}, {}};
   field.vertex.resize(mesh.vertices.size());
   field.edge.resize(scene::n_inside_edge(degree) * mesh.edges.size());
-  const auto& points = scene::control_points(degree);
-  const auto& indices = scene::bernstein_indices(degree);
+  const auto& points = scene::control_points<dim>(degree);
+  const auto& indices = scene::bernstein_indices<dim>(degree);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int cell = static_cast<int>(c);
     const Eigen::VectorXd& own = unknowns[mesh.cell_component[c]];
@@ -45,30 +41,20 @@ scene::Displacement<dim> recover(const scene::Mesh<dim>& mesh, const Nodes<dim>&
         field.edge[scene::place_inside_edge(mesh, degree, mesh.cell_edges[c][e], mesh.cells[c][from], k)] =
             scene::value_on_segment(side, static_cast<double>(k) / degree);
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points[i].on != scene::ControlPoint::On::cell) continue;
-      std::array<double, 3> at;
-      for (int corner = 0; corner < 3; ++corner) at[corner] = static_cast<double>(indices[i][corner]) / degree;
-      field.cell.push_back(scene::value_on_triangle(u, degree, at));
-    }
+    if constexpr (dim == 2)
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].on != scene::ControlPoint::On::cell) continue;
+        std::array<double, 3> at;
+        for (int corner = 0; corner < 3; ++corner) at[corner] = static_cast<double>(indices[i][corner]) / degree;
+        field.cell.push_back(scene::value_on_triangle(u, degree, at));
+      }
   }
   return field;
 }
 
-}  // namespace
-
 template <int dim> void check_prescribed(const Problem<dim>& problem, int degree) {
   contact_rows(problem, make_nodes(problem, degree));
 }
-
-template <int dim> struct Solver<dim>::Factorised {
-  Nodes<dim> nodes;
-  bool any_gap;
-  std::vector<Row> rows;
-  std::vector<Eigen::SparseMatrix<double>> held;  ///< as Systems::held
-  contact::Bodies bodies;
-  double order, assemble;  ///< seconds
-};
 
 template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, bool any_gap) {
   Clock clock;
@@ -78,27 +64,23 @@ template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, 
   std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
   Systems<dim> systems = assemble(problem, nodes, rows, paths);
   const double assembled = clock.lap();
-  factorised_ =
-      std::make_shared<const Factorised>(Factorised{std::move(nodes), any_gap, std::move(rows), std::move(systems.held),
-                                                    contact::Bodies(std::move(systems.body)), dissected, assembled});
+  factorised_ = std::make_shared<const Factorised>(
+      Factorised{std::move(nodes), any_gap, std::move(rows), std::move(systems.held),
+                 contact::Bodies(std::move(systems.body), dim == 3), dissected, assembled});
 }
 
 template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
   const Clock clock;
-  const auto& [laid_out, any_gap, of_rows, held, bodies, dissected, assembled] = *factorised_;
-  const Nodes<dim> nodes = make_nodes(problem, laid_out.degree);
-  const std::vector<Row> rows = contact_rows(problem, nodes, any_gap);
-  if (nodes.body_nodes != laid_out.body_nodes ||
-      !std::equal(rows.begin(), rows.end(), of_rows.begin(), of_rows.end(),
+  const Factorised& of = *factorised_;
+  const Nodes<dim> nodes = make_nodes(problem, of.nodes.degree);
+  const std::vector<Row> rows = contact_rows(problem, nodes, of.any_gap);
+  if (nodes.body_nodes != of.nodes.body_nodes ||
+      !std::equal(rows.begin(), rows.end(), of.rows.begin(), of.rows.end(),
                   [](const Row& a, const Row& b) { return a.entries == b.entries; }))
     throw std::invalid_argument(
         "primal::Solver: the problem has other unknowns or contact rows than the one that was "
         "factorised");
-  std::vector<Eigen::VectorXd> load = loads(problem, nodes);
-  const Eigen::VectorXd given = prescribed(nodes);
-  for (std::size_t b = 0; b < load.size(); ++b) load[b] -= held[b] * given;
-  if (const auto& systems = bodies.systems(); systems.size() > load.size())  // springs
-    load.push_back(Eigen::VectorXd::Zero(systems.back().stiffness.rows()));
+  const std::vector<Eigen::VectorXd> load = of.forces(problem, nodes);
   Eigen::VectorXd bounds(rows.size());
   contact::Limits limits{Eigen::VectorXd(rows.size()), Eigen::VectorXd(rows.size())};
   std::vector<char> guess;
@@ -111,7 +93,7 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   }
   const double of_data = clock.seconds();
 
-  const contact::Solution solution = bodies.solve(load, bounds, guess, limits);
+  const contact::Solution solution = of.bodies.solve(load, bounds, guess, limits);
   std::vector<std::string> names = problem.mesh.components;
   names.push_back("springs");
   Result<dim> result;
@@ -125,9 +107,9 @@ template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, c
   for (std::size_t i = 0; i < solution.active.size(); ++i)
     if (solution.active[i]) result.closed[rows[i].facet] |= rows[i].is_slip ? scene::sticks : scene::touches;
 
-  result.statistics = contact::statistics(bodies, solution);
-  result.statistics.seconds.order += dissected;
-  result.statistics.seconds.assemble = assembled + of_data;
+  result.statistics = contact::statistics(of.bodies, solution);
+  result.statistics.seconds.order += of.order;
+  result.statistics.seconds.assemble = of.assemble + of_data;
   return result;
 }
 
@@ -135,9 +117,15 @@ template <int dim> Result<dim> solve(const Problem<dim>& problem, int degree, co
   return Solver<dim>(problem, degree).solve(problem, closed);
 }
 
+template scene::Displacement<2> recover(const scene::Mesh<2>&, const Nodes<2>&, const std::vector<Eigen::VectorXd>&);
+template scene::Displacement<3> recover(const scene::Mesh<3>&, const Nodes<3>&, const std::vector<Eigen::VectorXd>&);
 template struct Result<2>;
+template struct Result<3>;
 template class Solver<2>;
+template class Solver<3>;
 template void check_prescribed(const Problem<2>&, int);
+template void check_prescribed(const Problem<3>&, int);
 template Result<2> solve(const Problem<2>&, int, const std::vector<char>&);
+template Result<3> solve(const Problem<3>&, int, const std::vector<char>&);
 
 }  // namespace bracket::primal

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "primal/elasticity.h"
+#include "scene/on_facet.h"
 
 namespace bracket::primal {
 
@@ -52,7 +53,7 @@ template <int dim> void set_rigid_motions(const Problem<dim>& problem, const Nod
     const int body = mesh.cell_component[c];
     if (motions[body].empty()) continue;
     const std::vector<int> list = cell_nodes(mesh, nodes, static_cast<int>(c));
-    const auto& indices = scene::bernstein_indices(nodes.degree);
+    const auto& indices = scene::bernstein_indices<dim>(nodes.degree);
     const auto x = scene::positions(mesh, mesh.cells[c]);
     for (std::size_t i = 0; i < list.size(); ++i) {
       Vector<dim> at = x[0];
@@ -73,9 +74,9 @@ template <int dim> void set_contact_rows(const std::vector<Row>& rows, const Nod
   }
 }
 
-/// The springs of the contact, if there are any. A row's multiplier presses them.
-template <int dim>
-void add_springs(const Problem<dim>& problem, const std::vector<Row>& rows, int degree, Systems<dim>& systems) {
+/// The springs of the contact, if there are any; in space there are none. A row's multiplier presses them.
+void add_springs(const Problem<3>&, const std::vector<Row>&, int, Systems<3>&) {}
+void add_springs(const Problem<2>& problem, const std::vector<Row>& rows, int degree, Systems<2>& systems) {
   const int last = spring_degree(degree), n = last + 1;
   contact::System springs;
   springs.nodes = {0};
@@ -131,18 +132,18 @@ void add_tractions(const Problem<dim>& problem, const Nodes<dim>& nodes, std::ve
     if (!scene::is_loaded(problem.facets[f])) continue;
     const auto& facet = mesh.boundary[f];
     Eigen::VectorXd& load = loads[mesh.cell_component[facet.cell]];
-    const auto ends = scene::load(problem, static_cast<int>(f));
-    const auto higher = scene::higher_load(problem, static_cast<int>(f));
-    const int own = degree_of_load(problem.facets[f]);
-    for (int k = 0; k <= nodes.degree; ++k) {
+    const auto at_vertices = scene::load(problem, static_cast<int>(f));
+    const std::vector<int> list = facet_nodes(mesh, nodes, static_cast<int>(f));
+    for (std::size_t k = 0; k < list.size(); ++k) {
       Vector<dim> force = Vector<dim>::Zero();
       for (int i = 0; i < dim; ++i)
-        force += scene::number<double>(scene::bernstein_mass(nodes.degree, k, 1, i)) * ends[i];
-      for (int j = 2; j <= own; ++j) force += scene::legendre_moment<double>(nodes.degree, k, j) * higher[j - 2];
-      const int at = k == 0              ? nodes.at_vertex(facet.vertices[0])
-                     : k == nodes.degree ? nodes.at_vertex(facet.vertices[1])
-                                         : nodes.on_edge(mesh, facet.edge, facet.vertices[0], k);
-      add_load(nodes.node[at], force, load);
+        force += scene::number<double>(scene::hat_mean<dim>(nodes.degree, static_cast<int>(k), i)) * at_vertices[i];
+      if constexpr (dim == 2) {  // what is not linear
+        const auto higher = scene::higher_load(problem, static_cast<int>(f));
+        for (int j = 2; j <= degree_of_load(problem.facets[f]); ++j)
+          force += scene::legendre_moment<double>(nodes.degree, static_cast<int>(k), j) * higher[j - 2];
+      }
+      add_load(nodes.node[list[k]], force, load);
     }
   }
 }
@@ -203,9 +204,14 @@ template <int dim> Eigen::VectorXd prescribed(const Nodes<dim>& nodes) {
 }
 
 template struct Systems<2>;
+template struct Systems<3>;
 template Systems<2> assemble(const Problem<2>&, const Nodes<2>&, const std::vector<Row>&,
                              const std::vector<std::uint64_t>&);
+template Systems<3> assemble(const Problem<3>&, const Nodes<3>&, const std::vector<Row>&,
+                             const std::vector<std::uint64_t>&);
 template std::vector<Eigen::VectorXd> loads(const Problem<2>&, const Nodes<2>&);
+template std::vector<Eigen::VectorXd> loads(const Problem<3>&, const Nodes<3>&);
 template Eigen::VectorXd prescribed(const Nodes<2>&);
+template Eigen::VectorXd prescribed(const Nodes<3>&);
 
 }  // namespace bracket::primal

@@ -10,7 +10,7 @@ namespace bracket::primal {
 /// the bodies: its unknowns are the Bernstein coefficients of their shortening s on each facet, its energy is ½ ∫ k s².
 template <int dim> struct Systems {
   std::vector<contact::System> body;
-  /// K between a body's unknowns and the prescribed displacements of all nodes, component by component, in x and y:
+  /// K between a body's unknowns and the prescribed displacements of all nodes, component by component:
   /// what it takes off the load is this times them.
   std::vector<Eigen::SparseMatrix<double>> held;
 };

@@ -21,7 +21,7 @@ PlainField plain_field(const scene::Problem<2>& problem, const scene::Displaceme
     }
   }
   const auto& mesh = problem.mesh;
-  field.offset = scene::offsets<double, Vector<2>>(mesh, displacement, field.vertex, scene::plain_difference);
+  field.offset = scene::offsets<double, Vector<2>>(mesh, displacement, field.vertex, scene::plain_difference<2>);
   const int n = scene::n_inside_edge(field.degree);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     for (int k = 0; k < n && problem.facets[f].support == Support::fixed; ++k)
