@@ -22,6 +22,9 @@ struct Certificate {
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                     const scene::Stress<dim>& stress);
+template <>
+Certificate certify(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
+                    const scene::Stress<3>& stress);
 
 /// A bound of the functional J of a perturbation (scene/problem/perturbation.h) at the solution of the problem that it
 /// was added to, f times: by docs/theory.md §10, for every v in K and every λ in K⁺ of the perturbed problem,

@@ -1,0 +1,155 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bounds/certificate/space/vector3.h"
+
+/// The bodies and their data as they are meant: cells, facets and data of the first mesh, cut at dyadic points. No
+/// coordinate of a vertex that refinement made is looked at.
+namespace bracket::bounds::space {
+
+/// The value at a point of a facet of what is linear on it: exact at its vertices.
+/// \param at the point's barycentric coordinates 1 and 2
+template <class Value, class Number>
+Value interpolated(const std::array<Value, 3>& v, const std::array<double, 2>& at) {
+  const auto& [s, t] = at;
+  if (s == 0 && t == 0) return v[0];
+  if (s == 1) return v[1];
+  if (t == 1) return v[2];
+  Value result = v[0];
+  if (s != 0) result = result + Number(s) * (v[1] - v[0]);
+  if (t != 0) result = result + Number(t) * (v[2] - v[0]);
+  return result;
+}
+/// The same of plain data.
+template <class Number>
+Vector3<Number> given_at(const std::array<scene::Vector<3>, 3>& v, const std::array<double, 2>& at) {
+  return interpolated<Vector3<Number>, Number>({vector3<Number>(v[0]), vector3<Number>(v[1]), vector3<Number>(v[2])},
+                                               at);
+}
+template <class Number> Number given_at(const std::array<double, 3>& v, const std::array<double, 2>& at) {
+  return interpolated<Number, Number>({Number(v[0]), Number(v[1]), Number(v[2])}, at);
+}
+
+/// A cell's corners as seen from its first: differences of given coordinates, or dyadic combinations of them.
+template <class Number> std::array<Vector3<Number>, 4> corners(const scene::Problem<3>& problem, int cell) {
+  const scene::Problem<3>& first = scene::first_of(problem);
+  const auto of = [&](int whole) -> std::array<Vector3<Number>, 3> {
+    const auto& v = first.mesh.cells[whole];
+    std::array<Vector3<Number>, 3> edge;
+    for (int k = 0; k < 3; ++k) edge[k] = between<Number>(first.mesh.vertices[v[0]], first.mesh.vertices[v[k + 1]]);
+    return edge;
+  };
+  std::array<Vector3<Number>, 4> x{};
+  if (!problem.origin.first) {
+    const auto edge = of(cell);
+    for (int k = 0; k < 3; ++k) x[k + 1] = edge[k];
+    return x;
+  }
+  const auto& [whole, corner] = problem.origin.cells[cell];
+  const auto edge = of(whole);
+  for (int i = 1; i < 4; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (const double step = corner[i][k] - corner[0][k]; step != 0) x[i] = x[i] + Number(step) * edge[k];
+  return x;
+}
+
+/// Six times the volume of a cell. \param x its corners
+template <class Number> Number volume6(const std::array<Vector3<Number>, 4>& x) {
+  return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
+}
+
+/// A facet of the first mesh from its vertex 0 to its vertices 1 and 2.
+template <class Number> std::array<Vector3<Number>, 2> whole_facet(const scene::Mesh<3>& first, int facet) {
+  const auto& v = first.boundary[facet].vertices;
+  return {between<Number>(first.vertices[v[0]], first.vertices[v[1]]),
+          between<Number>(first.vertices[v[0]], first.vertices[v[2]])};
+}
+/// Its outward normal, as long as its area.
+template <class Number> Vector3<Number> whole_area_vector(const scene::Mesh<3>& first, int facet) {
+  const auto [e, f] = whole_facet<Number>(first, facet);
+  return Number(0.5) * cross(e, f);
+}
+/// The part of its facet that a piece is: dyadic.
+template <class Number> Number fraction(const scene::Piece<2>& piece) {
+  const auto& c = piece.corner;
+  const auto step = [&](int i, int k) { return Number(c[i][k] - c[0][k]); };
+  return step(1, 0) * step(2, 1) - step(1, 1) * step(2, 0);
+}
+
+/// The corners of a facet as seen from a point.
+template <class Number>
+FacetVectors<Number> arms(const scene::Problem<3>& problem, const scene::Vector<3>& from, int facet) {
+  const auto [of, corner] = scene::piece_of_facet(problem, facet);
+  const scene::Mesh<3>& first = scene::first_of(problem).mesh;
+  const auto& v = first.boundary[of].vertices;
+  FacetVectors<Number> whole, x;
+  for (int i = 0; i < 3; ++i) whole[i] = between<Number>(from, first.vertices[v[i]]);
+  for (int i = 0; i < 3; ++i) x[i] = interpolated<Vector3<Number>, Number>(whole, corner[i]);
+  return x;
+}
+
+/// Corner 0 of a cell as seen from a point.
+template <class Number>
+Vector3<Number> arm_of_cell(const scene::Problem<3>& problem, const scene::Vector<3>& from, int cell) {
+  const auto [of, corner] = scene::piece_of_cell(problem, cell);
+  const scene::Mesh<3>& first = scene::first_of(problem).mesh;
+  const auto& v = first.cells[of];
+  Vector3<Number> x = between<Number>(from, first.vertices[v[0]]);
+  for (int k = 0; k < 3; ++k)
+    if (corner[0][k] != 0)
+      x = x + Number(corner[0][k]) * between<Number>(first.vertices[v[0]], first.vertices[v[k + 1]]);
+  return x;
+}
+
+/// Whether a body has weight.
+inline bool has_force(const scene::Problem<3>& problem, int body) { return !problem.bodies[body].force.isZero(0); }
+/// The force on a body per volume.
+template <class Number> Vector3<Number> body_force(const scene::Problem<3>& problem, int body) {
+  return vector3<Number>(problem.bodies[body].force);
+}
+
+/// Whether anything is given on a facet of the first mesh, but for corrections.
+inline bool is_loaded(const scene::FacetData<3>& data) {
+  return std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); }) ||
+         std::ranges::any_of(data.pressure, [](double p) { return p != 0; });
+}
+
+/// A correction of the first mesh's loads, by its true amount: load density times area at the facet's vertices.
+template <class Number> struct Corrected {
+  int facet;  ///< of the first mesh
+  FacetVectors<Number> load;
+};
+
+/// All that is prescribed on a facet of Γ_τ: load density times area at its vertices.
+template <class Number>
+FacetVectors<Number> prescribed_load(const scene::Problem<3>& problem,
+                                     const std::vector<Corrected<Number>>& corrections, int facet) {
+  const scene::Piece<2> piece = scene::piece_of_facet(problem, facet);
+  const scene::Problem<3>& first = scene::first_of(problem);
+  const auto& data = first.facets[piece.of];
+  FacetVectors<Number> load{};
+  const Number part = fraction<Number>(piece);
+  if (std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); })) {
+    const Vector3<Number> n = whole_area_vector<Number>(first.mesh, piece.of);
+    const Number area = part * root(dot(n, n));
+    for (int i = 0; i < 3; ++i) load[i] = area * given_at<Number>(data.traction, piece.corner[i]);
+  }
+  if (std::ranges::any_of(data.pressure, [](double p) { return p != 0; })) {
+    const Vector3<Number> inward = part * -whole_area_vector<Number>(first.mesh, piece.of);
+    for (int i = 0; i < 3; ++i) load[i] = load[i] + given_at<Number>(data.pressure, piece.corner[i]) * inward;
+  }
+  for (const auto& [of, added] : corrections)
+    for (int i = 0; i < 3 && of == piece.of; ++i)
+      load[i] = load[i] + part * interpolated<Vector3<Number>, Number>(added, piece.corner[i]);
+  return load;
+}
+
+/// Whether anything is prescribed on a facet of Γ_τ.
+template <class Number>
+bool carries_load(const scene::Problem<3>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
+  const int of = scene::piece_of_facet(problem, facet).of;
+  return is_loaded(scene::first_of(problem).facets[of]) ||
+         std::ranges::any_of(corrections, [&](const auto& one) { return one.facet == of; });
+}
+
+}  // namespace bracket::bounds::space
