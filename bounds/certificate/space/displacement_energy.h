@@ -40,7 +40,7 @@ DisplacedCell<Number> displaced_cell(const scene::Problem<3>& problem, const Pla
                                      const std::vector<Vector3<Number>>& shifts, int cell) {
   const auto& mesh = problem.mesh;
   const auto& v = mesh.cells[cell];
-  DisplacedCell<Number> result{scene::block_geometry<3, Number>(corners<Number>(problem, cell)), {}};
+  DisplacedCell<Number> result{cell_geometry(corners<Number>(problem, cell)), {}};
   for (int j = 1; j < 4; ++j)
     result.from_first[j] = between<Number>(field.node[v[0]], field.node[v[j]]) + (shifts[v[j]] - shifts[v[0]]);
   for (int e = 0; e < 6 && field.degree > 1; ++e)

@@ -58,6 +58,34 @@ template <class Number> Number volume6(const std::array<Vector3<Number>, 4>& x) 
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
 }
 
+/// What block_stress() asks of a cell; of a flat one, normals of small facets by their short edges and the volume by the
+/// smallest facet, so that little cancels. \param x its corners
+template <class Number> scene::BlockGeometry<3, Number> cell_geometry(const std::array<Vector3<Number>, 4>& x) {
+  scene::BlockGeometry<3, Number> result{x, {}, Number(0)};
+  const auto size = [](const Vector3<Number>& v) {
+    const double a = rounded(v[0]), b = rounded(v[1]), c = rounded(v[2]);
+    return a * a + b * b + c * c;
+  };
+  std::array<Vector3<Number>, 4> normal;  // inward, twice the area
+  int smallest = 0;
+  for (int k = 0; k < 4; ++k) {
+    const auto& [a, b, c] = scene::Simplex<3>::facets[k];
+    const std::array<Vector3<Number>, 3> edge = {x[b] - x[a], x[c] - x[b], x[a] - x[c]};
+    int longest = 0;
+    for (int e = 1; e < 3; ++e)
+      if (size(edge[e]) > size(edge[longest])) longest = e;
+    normal[k] = cross(edge[(longest + 2) % 3], edge[(longest + 1) % 3]);
+    if (size(normal[k]) < size(normal[smallest])) smallest = k;
+  }
+  int nearest = scene::Simplex<3>::facets[smallest][0];
+  for (const int vertex : scene::Simplex<3>::facets[smallest])
+    if (size(x[smallest] - x[vertex]) < size(x[smallest] - x[nearest])) nearest = vertex;
+  result.scaled_volume = dot(x[smallest] - x[nearest], normal[smallest]);
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 3; ++i) result.gradient[k][i] = normal[k][i] / result.scaled_volume;
+  return result;
+}
+
 /// A facet of the first mesh from its vertex 0 to its vertices 1 and 2.
 template <class Number> std::array<Vector3<Number>, 2> whole_facet(const scene::Mesh<3>& first, int facet) {
   const auto& v = first.boundary[facet].vertices;

@@ -14,8 +14,7 @@ namespace bracket::bounds::space {
 template <class Number>
 scene::BalancedStress<3, Number> block_stress(const scene::Problem<3>& problem, const LoadedCell<Number>& cell,
                                               int body) {
-  return scene::balanced_stress<3, Number>(scene::block_geometry<3, Number>(cell.x), cell.load,
-                                           body_force<Number>(problem, body));
+  return scene::balanced_stress<3, Number>(cell_geometry(cell.x), cell.load, body_force<Number>(problem, body));
 }
 
 /// S of a cell in balance.

@@ -16,6 +16,8 @@ using scene::Enclosure;
 using scene::LongSum;
 
 inline double root(double x) { return std::sqrt(x); }
+inline double rounded(const Enclosure& x) { return static_cast<double>(x.middle); }
+inline double rounded(double x) { return x; }
 
 template <class Number> using Vector3 = scene::VectorOf<3, Number>;
 
