@@ -22,6 +22,7 @@ struct Certificate {
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                     const scene::Stress<dim>& stress);
+/// In space displacements have degree 1 or 2, stresses degree 1, and contacts no law but that sides keep together.
 template <>
 Certificate certify(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
                     const scene::Stress<3>& stress);

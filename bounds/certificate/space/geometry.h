@@ -58,8 +58,8 @@ template <class Number> Number volume6(const std::array<Vector3<Number>, 4>& x) 
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
 }
 
-/// What block_stress() asks of a cell; of a flat one, normals of small facets by their short edges and the volume by the
-/// smallest facet, so that little cancels. \param x its corners
+/// What block_stress() asks of a cell; of a flat one, normals of small facets by their short edges and the volume by
+/// the smallest facet, so that little cancels. \param x its corners
 template <class Number> scene::BlockGeometry<3, Number> cell_geometry(const std::array<Vector3<Number>, 4>& x) {
   scene::BlockGeometry<3, Number> result{x, {}, Number(0)};
   const auto size = [](const Vector3<Number>& v) {
@@ -136,10 +136,12 @@ template <class Number> Vector3<Number> body_force(const scene::Problem<3>& prob
   return vector3<Number>(problem.bodies[body].force);
 }
 
-/// Whether anything is given on a facet of the first mesh, but for corrections.
+/// Whether a facet of the first mesh carries a load, but for corrections: it belongs to Γ_τ, or, which is refused, to
+/// Γ_K.
 inline bool is_loaded(const scene::FacetData<3>& data) {
-  return std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); }) ||
-         std::ranges::any_of(data.pressure, [](double p) { return p != 0; });
+  return (data.support == scene::Support::traction || data.support == scene::Support::contact) &&
+         (std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); }) ||
+          std::ranges::any_of(data.pressure, [](double p) { return p != 0; }));
 }
 
 /// A correction of the first mesh's loads, by its true amount: load density times area at the facet's vertices.
