@@ -19,16 +19,18 @@ using scene::Voigt;
 namespace {
 
 /// Adds what a traction, given by Bernstein coefficients along a facet, exerts there.
-void add(Resultant<2>& sum, const scene::Mesh<2>& mesh, int facet, const std::vector<Vector<2>>& t) {
-  const auto& [v, w] = mesh.boundary[facet].vertices;
-  const std::array<Vector<2>, 2> arm = {mesh.vertices[v] - sum.about, mesh.vertices[w] - sum.about};
+template <int dim>
+void add(Resultant<dim>& sum, const scene::Mesh<dim>& mesh, int facet, const std::vector<Vector<dim>>& t) {
+  const auto x = scene::positions(mesh, mesh.boundary[facet].vertices);
   const double length = scene::length(mesh, facet);
-  const int degree = static_cast<int>(t.size()) - 1;
-  for (int k = 0; k <= degree; ++k)
-    for (int i = 0; i < 2; ++i) {
-      const double mass = length * scene::number<double>(scene::bernstein_mass(degree, k, 1, i));
+  const int degree = scene::degree_on_facet<dim>(t.size());
+  for (std::size_t k = 0; k < t.size(); ++k)
+    for (int i = 0; i < dim; ++i) {
+      const double mass = length * scene::number<double>(scene::hat_mean<dim>(degree, static_cast<int>(k), i));
       sum.force += mass * t[k];
-      sum.moment += mass * cross(arm[i], t[k]);
+      const Vector<dim> arm = x[i] - sum.about;
+      if constexpr (dim == 2) sum.moment += mass * cross(arm, t[k]);
+      if constexpr (dim == 3) sum.moment += mass * arm.cross(t[k]);
     }
 }
 
@@ -70,13 +72,20 @@ ContactResult<dim> contact_result(const scene::Problem<dim>& problem, const scen
     std::vector<Vector<dim>> traction;
     for (const double p : own) traction.push_back(-p * d);
     add(result.resultant, mesh, facet, traction);
-    const int points = 4 * (stress.degree - 1) + 1;  // linear ones are largest at an end
-    for (int i = 0; i <= points; ++i) {
-      const double t = static_cast<double>(i) / points, p = scene::value_on_segment(own, t);
-      if (p <= result.largest_pressure) continue;
-      const auto& [a, b] = scene::positions(mesh, mesh.boundary[facet].vertices);
+    const auto x = scene::positions(mesh, mesh.boundary[facet].vertices);
+    const auto include = [&](double p, const Vector<dim>& at) {
+      if (p <= result.largest_pressure) return;
       result.largest_pressure = p;
-      result.at = i == points ? b : Vector<dim>(a + t * (b - a));
+      result.at = at;
+    };
+    if constexpr (dim == 2) {
+      const int points = 4 * (stress.degree - 1) + 1;  // linear ones are largest at an end
+      for (int i = 0; i <= points; ++i) {
+        const double t = static_cast<double>(i) / points;
+        include(scene::value_on_segment(own, t), i == points ? x[1] : Vector<dim>(x[0] + t * (x[1] - x[0])));
+      }
+    } else {
+      for (int i = 0; i < dim; ++i) include(own[i], x[i]);
     }
   }
   if (result.length == 0)
@@ -151,8 +160,12 @@ std::optional<PointValues<dim>> values_at(const scene::Problem<dim>& problem,
 
 template Resultant<2> resultant(const scene::Problem<2>&, const scene::Stress<2>&, const std::string&,
                                 const Vector<2>&);
+template Resultant<3> resultant(const scene::Problem<3>&, const scene::Stress<3>&, const std::string&,
+                                const Vector<3>&);
 template ContactResult<2> contact_result(const scene::Problem<2>&, const scene::Stress<2>&, int, const Vector<2>&);
+template ContactResult<3> contact_result(const scene::Problem<3>&, const scene::Stress<3>&, int, const Vector<3>&);
 template LargestDisplacement<2> largest_displacement(const scene::Problem<2>&, const scene::Displacement<2>&);
+template LargestDisplacement<3> largest_displacement(const scene::Problem<3>&, const scene::Displacement<3>&);
 template std::optional<PointValues<2>> values_at(const scene::Problem<2>&, const scene::Displacement<2>&,
                                                  const scene::Stress<2>&, const Vector<2>&);
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "bounds/estimate/estimate.h"
 
@@ -13,11 +14,14 @@
 /// are per thickness, in the units of the scene.
 namespace bracket::bounds {
 
-/// A force and its moment about `about`, counter-clockwise. Where there is a force it acts along a line through
+/// In the plane a number, counter-clockwise.
+template <int dim> using Moment = std::conditional_t<dim == 2, double, scene::Vector<3>>;
+
+/// A force and its moment about `about`. In the plane, where there is a force it acts along a line through
 /// about + moment · (f_y, −f_x) / |f|².
 template <int dim> struct Resultant {
   scene::Vector<dim> force = scene::Vector<dim>::Zero();
-  double moment = 0;
+  Moment<dim> moment = scene::zero_value<Moment<dim>>();
   scene::Vector<dim> about = scene::Vector<dim>::Zero();
 };
 
@@ -32,7 +36,7 @@ template <int dim> struct ContactResult {
   Resultant<dim> resultant;  ///< ∫ −p d: what acts on the body of the first side; on the second the opposite does
   double largest_pressure = 0;
   scene::Vector<dim> at = scene::Vector<dim>::Zero();  ///< a vertex with that pressure; 0 where nothing presses
-  double length = 0;                                   ///< of the first side
+  double length = 0;                                   ///< of the first side; in space areas, this and the next
   double pressed_length = 0;                           ///< of the facets on which p > 0 somewhere
 };
 /// \param pair index into Scene::contact

@@ -8,5 +8,7 @@ namespace bracket::primal {
 /// row by row. primal/element/main.cpp has deal.II make them.
 /// \param degree 1 to 4, in space to 2
 template <int dim> const double* reference_products(int degree);
+template <> const double* reference_products<2>(int degree);
+template <> const double* reference_products<3>(int degree);
 
 }  // namespace bracket::primal

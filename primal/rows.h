@@ -35,6 +35,8 @@ struct Row {
 /// \throw scene::Error (ill_posed) if such a row is violated
 template <int dim>
 std::vector<Row> contact_rows(const scene::Problem<dim>& problem, const Nodes<dim>& nodes, bool any_gap = false);
+template <> std::vector<Row> contact_rows(const scene::Problem<2>& problem, const Nodes<2>& nodes, bool any_gap);
+template <> std::vector<Row> contact_rows(const scene::Problem<3>& problem, const Nodes<3>& nodes, bool any_gap);
 
 /// The degree of the springs' shortening: that of r − g.
 inline int spring_degree(int degree) { return std::max(2, degree); }

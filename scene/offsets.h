@@ -139,6 +139,8 @@ std::vector<Vector<dim>> offsets_on_cell(const Mesh<dim>& mesh, const Displaceme
 /// Those of a boundary facet, in the order of scene/on_facet.h: zero at its vertices.
 template <int dim>
 std::vector<Vector<dim>> offsets_on_facet(const Mesh<dim>& mesh, const Displacement<dim>& u, int facet);
+template <> std::vector<Vector<2>> offsets_on_facet(const Mesh<2>& mesh, const Displacement<2>& u, int facet);
+template <> std::vector<Vector<3>> offsets_on_facet(const Mesh<3>& mesh, const Displacement<3>& u, int facet);
 
 /// u at a point of a cell, by its barycentric coordinates.
 Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cell, const std::array<double, 3>& point);

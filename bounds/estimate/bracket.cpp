@@ -33,5 +33,7 @@ Bracket bracket(double lower, double upper, double strain_energy, double contact
 
 template PlainEnergies plain_energies(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
                                       const Indicator&);
+template PlainEnergies plain_energies(const scene::Problem<3>&, const scene::Displacement<3>&, const scene::Stress<3>&,
+                                      const Indicator&);
 
 }  // namespace bracket::bounds

@@ -46,50 +46,93 @@ double penetration(const scene::Problem<dim>& problem, const scene::Displacement
 
 /// The corners of part k of a cell, relative to the cell's centroid. They are made of differences of vertices, which
 /// are exact: far from the origin the centroid itself would be rounded by more than small cells bear.
-std::array<Vector<2>, 3> part(const scene::Mesh<2>& mesh, int cell, int k) {
-  const auto [a, b] = scene::positions(mesh, scene::facet_vertices(mesh, cell, k));
-  const Vector<2>& c = mesh.vertices[mesh.cells[cell][k]];
-  return {((a - b) + (a - c)) / 3, ((b - a) + (b - c)) / 3, Vector<2>::Zero()};
+template <int dim> std::array<Vector<dim>, dim + 1> part(const scene::Mesh<dim>& mesh, int cell, int k) {
+  const auto x = scene::positions(mesh, scene::facet_vertices(mesh, cell, k));
+  const Vector<dim>& opposite = mesh.vertices[mesh.cells[cell][k]];
+  std::array<Vector<dim>, dim + 1> result;
+  for (int i = 0; i < dim; ++i) {
+    Vector<dim> sum = Vector<dim>::Zero();
+    for (int j = 0; j < dim; ++j)
+      if (j != i) sum += x[i] - x[j];
+    result[i] = (sum + (x[i] - opposite)) / (dim + 1);
+  }
+  result[dim] = Vector<dim>::Zero();
+  return result;
 }
 
-/// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts, by
-/// coefficients.
-double equilibrium(const scene::Problem<2>& problem, const scene::Stress<2>& stress, int cell) {
-  const auto& mesh = problem.mesh;
+/// The largest jump of the traction between part k of a cell and those after it, by coefficients.
+double jumps_between_parts(const scene::Mesh<2>& mesh, const scene::Stress<2>& stress, int cell, int k) {
   const int degree = stress.degree;
   double worst = 0;
-  for (int k = 0; k < 3; ++k) {
+  // The side from corner 1 of part k to its corner 2 is that from corner 0 to 2 of part k+1.
+  const auto x = part(mesh, cell, k);
+  const Vector<2> n = scene::area_vector<2>({x[2], x[1]}).normalized();
+  const auto own = scene::stress_of_part(stress, cell, k), next = scene::stress_of_part(stress, cell, (k + 1) % 3);
+  for (int i = 0; i <= degree; ++i)
+    raise(worst, scene::traction<2>(
+                     own[scene::bernstein_place(degree, degree - i, i)] - next[scene::bernstein_place(degree, 0, i)], n)
+                     .norm());
+  return worst;
+}
+double jumps_between_parts(const scene::Mesh<3>& mesh, const scene::Stress<3>& stress, int cell, int k) {
+  constexpr auto& facets = scene::Simplex<3>::facets;
+  double worst = 0;
+  for (int other = k + 1; other < 4; ++other) {  // they share a face: the two vertices of either facet, the centroid
+    const auto own = scene::stress_of_part(stress, cell, k), next = scene::stress_of_part(stress, cell, other);
     const auto x = part(mesh, cell, k);
-    const auto gradient = scene::hat_gradients<2>(x);
-    const auto own = scene::stress_of_part(stress, cell, k);
-    const double diameter = std::max({x[0].norm(), x[1].norm(), (x[0] - x[1]).norm()});
-    for (const auto& i : scene::bernstein_indices(degree - 1)) {
-      Vector<2> divergence = problem.bodies[mesh.cell_body[cell]].force;
-      for (int corner = 0; corner < 3; ++corner) {
-        std::array<int, 3> above = i;
-        ++above[corner];
-        divergence += degree * scene::traction<2>(own[scene::bernstein_place(above)], gradient[corner]);
-      }
-      raise(worst, divergence.norm() * diameter);
-    }
-    // The side from corner 1 of part k to its corner 2 is that from corner 0 to 2 of part k+1.
-    const Vector<2> n = scene::area_vector<2>({x[2], x[1]}).normalized();
-    const auto next = scene::stress_of_part(stress, cell, (k + 1) % 3);
-    for (int i = 0; i <= degree; ++i)
-      raise(worst,
-            scene::traction<2>(
-                own[scene::bernstein_place(degree, degree - i, i)] - next[scene::bernstein_place(degree, 0, i)], n)
-                .norm());
+    std::vector<std::array<int, 2>> shared = {{3, 3}};
+    std::vector<Vector<3>> arms;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (facets[k][i] == facets[other][j]) {
+          shared.push_back({i, j});
+          arms.push_back(x[i]);
+        }
+    const Vector<3> n = arms[0].cross(arms[1]).normalized();
+    for (const auto& [i, j] : shared) raise(worst, scene::traction<3>(own[i] - next[j], n).norm());
   }
   return worst;
 }
 
-/// λn on every facet, from each of its cells, by coefficients from its lower vertex to its higher; and, of the two
-/// sides of a contact, the first facet's.
-template <int dim> double interface_jump(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
-  static_assert(dim == 2);
+/// |div λ + F| times the cell's diameter on each part, and the jumps of the traction between the parts, by
+/// coefficients.
+template <int dim> double equilibrium(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress, int cell) {
   const auto& mesh = problem.mesh;
-  const std::vector<Vector<dim>> zero(stress.degree + 1, Vector<dim>::Zero());
+  const int degree = stress.degree;
+  double worst = 0;
+  for (int k = 0; k <= dim; ++k) {
+    const auto x = part(mesh, cell, k);
+    const auto gradient = scene::hat_gradients<dim>(x);
+    const auto own = scene::stress_of_part(stress, cell, k);
+    double diameter = 0;
+    for (int i = 0; i < dim; ++i)
+      for (int j = i + 1; j <= dim; ++j) diameter = std::max(diameter, (x[i] - x[j]).norm());
+    for (const auto& i : scene::bernstein_indices<dim>(degree - 1)) {
+      Vector<dim> divergence = problem.bodies[mesh.cell_body[cell]].force;
+      for (int corner = 0; corner <= dim; ++corner) {
+        auto above = i;
+        ++above[corner];
+        divergence += degree * scene::traction<dim>(own[scene::bernstein_place(above)], gradient[corner]);
+      }
+      raise(worst, divergence.norm() * diameter);
+    }
+    raise(worst, jumps_between_parts(mesh, stress, cell, k));
+  }
+  return worst;
+}
+
+/// Where coefficient k of a facet is if its vertices are sorted; in space of degree 1.
+template <int dim> int sorted_place(const std::array<int, dim>& vertices, int degree, int k) {
+  if constexpr (dim == 2) return vertices[0] < vertices[1] ? k : degree - k;
+  return static_cast<int>(std::count_if(vertices.begin(), vertices.end(), [&](int v) { return v < vertices[k]; }));
+}
+
+/// λn on every facet, from each of its cells, by coefficients with its vertices sorted; and, of the two sides of a
+/// contact, the first facet's.
+template <int dim> double interface_jump(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress) {
+  const auto& mesh = problem.mesh;
+  const int n_coefficients = scene::n_on_facet<dim>(stress.degree);
+  const std::vector<Vector<dim>> zero(n_coefficients, Vector<dim>::Zero());
   std::vector<std::vector<Vector<dim>>> sum(scene::n_facets(mesh), zero);
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k <= dim; ++k) {
@@ -97,8 +140,8 @@ template <int dim> double interface_jump(const scene::Problem<dim>& problem, con
       const auto vertices = scene::facet_vertices(mesh, cell, k);
       const Vector<dim> n = scene::area_vector<dim>(scene::positions(mesh, vertices)).normalized();
       const auto own = scene::stress_of_part(stress, cell, k);
-      for (int i = 0; i <= stress.degree; ++i)
-        sum[scene::cell_facets(mesh, cell)[k]][vertices[0] < vertices[1] ? i : stress.degree - i] +=
+      for (int i = 0; i < n_coefficients; ++i)
+        sum[scene::cell_facets(mesh, cell)[k]][sorted_place<dim>(vertices, stress.degree, i)] +=
             scene::traction<dim>(own[i], n);
     }
   for (const auto& facet : mesh.boundary) sum[scene::cell_facets(mesh, facet.cell)[facet.local]] = zero;
@@ -109,7 +152,8 @@ template <int dim> double interface_jump(const scene::Problem<dim>& problem, con
     if (pair.second < 0) continue;
     const auto first = tractions(mesh, stress, pair.first), second = tractions(mesh, stress, pair.second);
     const double longer = scene::length(mesh, pair.second) / scene::length(mesh, pair.first);  // forces are opposite
-    for (int i = 0; i <= stress.degree; ++i) raise(worst, (first[i] + longer * second[stress.degree - i]).norm());
+    for (int i = 0; i < n_coefficients; ++i)
+      raise(worst, (first[i] + longer * second[opposite(pair, stress.degree, i)]).norm());
   }
   return worst;
 }
@@ -127,10 +171,12 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
   for (const auto& pair : problem.contact) {
     may_pull[pair.first] = pair.law.two_sided;
     if (pair.second >= 0) may_pull[pair.second] = pair.law.two_sided;
-    if (!has_friction(pair.law)) continue;
-    const auto shear = plain_shear(problem, stress, pair);
-    const auto most = coefficients(pair.law.friction, stress.degree);
-    for (std::size_t i = 0; i < shear.size(); ++i) raise(worst.traction, std::abs(shear[i]) - most[i]);
+    if constexpr (dim == 2) {
+      if (!has_friction(pair.law)) continue;
+      const auto shear = plain_shear(problem, stress, pair);
+      const auto most = coefficients(pair.law.friction, stress.degree);
+      for (std::size_t i = 0; i < shear.size(); ++i) raise(worst.traction, std::abs(shear[i]) - most[i]);
+    }
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -190,5 +236,6 @@ Check Checks::worst() const {
 bool Checks::passed() const { return worst().value <= tolerance; }
 
 template Checks admissibility(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
+template Checks admissibility(const scene::Problem<3>&, const scene::Displacement<3>&, const scene::Stress<3>&);
 
 }  // namespace bracket::bounds

@@ -19,7 +19,7 @@ double body_force_work(const scene::Mesh<dim>& mesh, const scene::Displacement<d
   Vector<dim> linear = Vector<dim>::Zero(), beside = linear;
   for (const int v : mesh.cells[cell]) linear += displacement.vertex[v] / (dim + 1);
   for (const Vector<dim>& offset : scene::offsets_on_cell(mesh, displacement, cell)) beside += offset;
-  return scene::volume(mesh, cell) * force.dot(linear + beside / scene::n_bernstein(displacement.degree));
+  return scene::volume(mesh, cell) * force.dot(linear + beside / scene::n_bernstein<dim>(displacement.degree));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     const int cell = static_cast<int>(c);
     const auto& body = problem.bodies[mesh.cell_body[c]];
     const auto form = [&](const Voigt<dim>& e) { return 0.5 * e.dot(body.material.stiffness() * e); };
-    strain += scene::volume(mesh, cell) * mean(form, bounds::strain(mesh, displacement, cell));
+    strain += scene::volume(mesh, cell) * mean<dim>(form, bounds::strain(mesh, displacement, cell));
     if (!body.force.isZero(0)) work += body_force_work(mesh, displacement, body.force, cell);
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -40,11 +40,14 @@ PotentialEnergy potential_energy(const scene::Problem<dim>& problem, const scene
     if (!scene::is_loaded(data)) continue;
     const auto u = on_facet(mesh, displacement, static_cast<int>(f));
     const auto load = loads(problem, static_cast<int>(f), degree_of_load(data));
-    for (int c = 0; c < dim; ++c)
-      work += scene::bernstein_product(along<dim>(load, Vector<dim>::Unit(c)), along<dim>(u, Vector<dim>::Unit(c)));
+    for (int c = 0; c < dim; ++c) {
+      const Vector<dim> axis = Vector<dim>::Unit(c);
+      work += mean_of_product<dim>(along<dim>(load, axis), along<dim>(u, axis));
+    }
   }
   Sum of_laws = 0;
-  for (const auto& pair : problem.contact) of_laws += law_energy(problem, displacement, pair);
+  if constexpr (dim == 2)
+    for (const auto& pair : problem.contact) of_laws += law_energy(problem, displacement, pair);
   return {static_cast<double>(strain), static_cast<double>(strain - work + of_laws)};
 }
 
@@ -56,7 +59,7 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     const auto form = [&](const Voigt<dim>& s) { return 0.5 * s.dot(compliance * s); };
     const int cell = static_cast<int>(c);
     const double part = scene::volume(mesh, cell) / (dim + 1);
-    for (int k = 0; k <= dim; ++k) energy += part * mean(form, scene::stress_of_part(stress, cell, k));
+    for (int k = 0; k <= dim; ++k) energy += part * mean<dim>(form, scene::stress_of_part(stress, cell, k));
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const auto& data = problem.facets[f];
@@ -65,23 +68,26 @@ template <int dim> double complementary_energy(const scene::Problem<dim>& proble
     const auto t = tractions(mesh, stress, facet);
     const double length = scene::length(mesh, facet);
     for (int c = 0; c < dim && data.support == Support::fixed; ++c) {
-      const std::vector<double> given = {data.displacement[0][c], data.displacement[1][c]};
-      energy -= length * scene::bernstein_product(along<dim>(t, Vector<dim>::Unit(c)), given);
+      const Vector<dim> axis = Vector<dim>::Unit(c);
+      energy -= length * mean_of_product<dim>(along<dim>(t, axis),
+                                              along<dim>({data.displacement.begin(), data.displacement.end()}, axis));
     }
     if (data.support == Support::sliding) {
       const std::vector<double> given(data.normal_displacement.begin(), data.normal_displacement.end());
-      energy -= length * scene::bernstein_product(along<dim>(t, data.normal), given);
+      energy -= length * mean_of_product<dim>(along<dim>(t, data.normal), given);
     }
   }
   for (const auto& pair : problem.contact) {
     const std::vector<double> gap(pair.upper.begin(), pair.upper.end());
-    energy += scene::length(mesh, pair.first) * scene::bernstein_product(plain_pressure(problem, stress, pair), gap);
-    energy += law_complementary_energy(problem, stress, pair);
+    energy += scene::length(mesh, pair.first) * mean_of_product<dim>(plain_pressure(problem, stress, pair), gap);
+    if constexpr (dim == 2) energy += law_complementary_energy(problem, stress, pair);
   }
   return static_cast<double>(energy);
 }
 
 template PotentialEnergy potential_energy(const scene::Problem<2>&, const scene::Displacement<2>&);
+template PotentialEnergy potential_energy(const scene::Problem<3>&, const scene::Displacement<3>&);
 template double complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&);
+template double complementary_energy(const scene::Problem<3>&, const scene::Stress<3>&);
 
 }  // namespace bracket::bounds

@@ -100,15 +100,15 @@ template <int dim>
 DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                        const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
-/// The pressure of λ_h on each contact facet, by Bernstein coefficients from the first facet's vertex 0 to its vertex
-/// 1, which are ≥ 0 (degree 1: its values there); exactly 0 where one is not more than rounding of λ_h. That is seen
-/// where λ_h n has to be something known: by the most that, on the bodies of the pair, it misses the loads of Γ_τ and
-/// has of shear on Γ_0 and Γ_K (up to Checks::tolerance of their largest stress; what is more is not rounding), and by
-/// 1e-11 of that stress, below which the certificate has no pressure either.
+/// The pressure of λ_h on each contact facet, by Bernstein coefficients in the order of scene/on_facet.h on the first
+/// facet, which are ≥ 0 (degree 1: its values at the vertices); exactly 0 where one is not more than rounding of λ_h.
+/// That is seen where λ_h n has to be something known: by the most that, on the bodies of the pair, it misses the loads
+/// of Γ_τ and has of shear on Γ_0 and Γ_K (up to Checks::tolerance of their largest stress; what is more is not
+/// rounding), and by 1e-11 of that stress, below which the certificate has no pressure either.
 template <int dim>
 std::vector<std::vector<double>> contact_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress);
 
-/// On one contact facet, by Bernstein coefficients from the first facet's vertex 0 to its vertex 1.
+/// On one contact facet, by Bernstein coefficients in the order of scene/on_facet.h on the first facet.
 struct ContactState {
   std::vector<double> pressure;  ///< of λ_h, see contact_pressure()
   std::vector<double> gap_left;  ///< g − r(u_h)
@@ -117,13 +117,13 @@ template <int dim>
 std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
                                         const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
 
-/// The shear τ of λ_h and the slip v_t of u_h on a contact facet, likewise (scene/problem/law.h).
+/// Planar: the shear τ of λ_h and the slip v_t of u_h on a contact facet, likewise (scene/problem/law.h).
 struct ShearAndSlip {
   std::vector<double> shear, slip;
 };
 template <int dim>
 ShearAndSlip shear_and_slip(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                            const scene::Stress<dim>& stress, const scene::ContactFacet& pair);
+                            const scene::Stress<dim>& stress, const scene::ContactFacetOf<dim>& pair);
 
 /// Bulk marking (Dörfler): as few cells as carry `bulk` of the sum of the indicators, a contact facet's share split
 /// between the cells at it. \return 1 per marked cell   \pre 0 < bulk ≤ 1

@@ -12,9 +12,10 @@ using scene::Voigt;
 
 template <int dim>
 std::vector<double> gap_left(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                             const scene::ContactFacet& pair) {
+                             const scene::ContactFacetOf<dim>& pair) {
   const auto approach = jump(problem, displacement, pair, problem.facets[pair.first].normal);
-  auto left = scene::raised_to<double>(displacement.degree, std::vector<double>(pair.upper.begin(), pair.upper.end()));
+  std::vector<double> left(pair.upper.begin(), pair.upper.end());
+  if constexpr (dim == 2) left = scene::raised_to<double>(displacement.degree, std::move(left));
   for (std::size_t k = 0; k < left.size(); ++k) left[k] -= approach[k];
   return left;
 }
@@ -36,7 +37,7 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
     double& most = misfit[mesh.cell_body[mesh.boundary[f].cell]];
     const auto t = tractions(mesh, stress, facet);
     const auto load = loads(problem, facet, stress.degree);
-    for (int i = 0; i <= stress.degree; ++i) {
+    for (std::size_t i = 0; i < t.size(); ++i) {
       const bool given = data.support == scene::Support::traction;
       const Vector<dim> known =
           given ? Vector<dim>(load[i] / scene::length(mesh, facet)) : Vector<dim>(t[i].dot(data.normal) * data.normal);
@@ -81,10 +82,22 @@ std::vector<ContactState> contact_state(const scene::Problem<dim>& problem,
 
 namespace {
 
-/// The same stress, one degree after the other up to another. \param own its degree
+/// The same stress, one degree after the other up to another; in space all have degree 1. \param own its degree
 template <int dim> std::vector<Voigt<dim>> raised(std::vector<Voigt<dim>> stress, int own, int degree) {
-  for (; own < degree; ++own) stress = scene::raised_on_triangle<double>(stress, own);
+  if constexpr (dim == 2)
+    for (; own < degree; ++own) stress = scene::raised_on_triangle<double>(stress, own);
   return stress;
+}
+
+/// A stress on a cell, seen on its part k.
+std::vector<Voigt<2>> on_part(const std::vector<Voigt<2>>& stress, int degree, int k) {
+  return scene::on_centroid_part<double>(stress, degree, k);
+}
+std::vector<Voigt<3>> on_part(const std::vector<Voigt<3>>& stress, int, int k) {
+  std::vector<Voigt<3>> result;
+  for (const int corner : scene::Simplex<3>::facets[k]) result.push_back(stress[corner]);
+  result.push_back((stress[0] + stress[1] + stress[2] + stress[3]) / 4);
+  return result;
 }
 
 }  // namespace
@@ -105,24 +118,27 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
                                    scene::stress_degree(displacement.degree), degree);
     const double part = scene::volume(mesh, cell) / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
-      std::vector<Voigt<dim>> difference = scene::on_centroid_part<double>(sigma, degree, k);
+      std::vector<Voigt<dim>> difference = on_part(sigma, degree, k);
       const auto own = scene::stress_of_part(stress, cell, k);
       const auto lambda = raised<dim>({own.begin(), own.end()}, stress.degree, degree);
       for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= lambda[i];
-      result.cell[c] += part * mean(form, difference);
+      result.cell[c] += part * mean<dim>(form, difference);
     }
     sum += result.cell[c];
   }
   for (const auto& pair : problem.contact) {
     const double length = scene::length(mesh, pair.first);
-    result.contact.push_back(length * scene::bernstein_product(plain_pressure(problem, stress, pair),
-                                                               gap_left(problem, displacement, pair)) +
-                             law_energy(problem, displacement, pair) + law_complementary_energy(problem, stress, pair));
-    if (has_friction(pair.law))
-      result.contact.back() -=
-          length * scene::bernstein_product(
-                       plain_shear(problem, stress, pair),
-                       jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal)));
+    result.contact.push_back(
+        length * mean_of_product<dim>(plain_pressure(problem, stress, pair), gap_left(problem, displacement, pair)));
+    if constexpr (dim == 2) {
+      result.contact.back() = result.contact.back() + law_energy(problem, displacement, pair) +
+                              law_complementary_energy(problem, stress, pair);
+      if (has_friction(pair.law))
+        result.contact.back() -=
+            length * scene::bernstein_product(
+                         plain_shear(problem, stress, pair),
+                         jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal)));
+    }
     sum += result.contact.back();
   }
   result.sum = static_cast<double>(sum);
@@ -131,9 +147,15 @@ Indicator indicator(const scene::Problem<dim>& problem, const scene::Displacemen
 
 template std::vector<double> gap_left(const scene::Problem<2>&, const scene::Displacement<2>&,
                                       const scene::ContactFacet&);
+template std::vector<double> gap_left(const scene::Problem<3>&, const scene::Displacement<3>&,
+                                      const scene::ContactFacetOf<3>&);
 template std::vector<std::vector<double>> contact_pressure(const scene::Problem<2>&, const scene::Stress<2>&);
+template std::vector<std::vector<double>> contact_pressure(const scene::Problem<3>&, const scene::Stress<3>&);
 template std::vector<ContactState> contact_state(const scene::Problem<2>&, const scene::Displacement<2>&,
                                                  const scene::Stress<2>&);
+template std::vector<ContactState> contact_state(const scene::Problem<3>&, const scene::Displacement<3>&,
+                                                 const scene::Stress<3>&);
 template Indicator indicator(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
+template Indicator indicator(const scene::Problem<3>&, const scene::Displacement<3>&, const scene::Stress<3>&);
 
 }  // namespace bracket::bounds

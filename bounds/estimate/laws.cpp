@@ -7,20 +7,21 @@
 namespace bracket::bounds {
 
 using scene::ContactFacet;
+using scene::ContactFacetOf;
 using scene::Vector;
 
 template <int dim>
 std::vector<double> plain_shear(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
-                                const ContactFacet& pair) {
+                                const ContactFacetOf<dim>& pair) {
   return along<dim>(tractions(problem.mesh, stress, pair.first), -scene::tangent(problem.facets[pair.first].normal));
 }
 
-template <int dim>
-std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                         const ContactFacet& pair, const Vector<dim>& direction) {
+template <>
+std::vector<double> jump(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
+                         const ContactFacet& pair, const Vector<2>& direction) {
   const auto& mesh = problem.mesh;
   const auto& [a, b] = mesh.boundary[pair.first].vertices;
-  std::array<Vector<dim>, 2> ends = {displacement.vertex[a], displacement.vertex[b]};
+  std::array<Vector<2>, 2> ends = {displacement.vertex[a], displacement.vertex[b]};
   auto offset = scene::offsets_on_facet(mesh, displacement, pair.first);
   if (pair.second >= 0) {
     const auto& [over_b, over_a] = mesh.boundary[pair.second].vertices;  // the second side runs the other way
@@ -29,7 +30,7 @@ std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displa
     const auto other = scene::offsets_on_facet(mesh, displacement, pair.second);
     for (std::size_t k = 0; k < offset.size(); ++k) offset[k] -= other[other.size() - 1 - k];
   }
-  std::vector<double> result = along<dim>(offset, direction);
+  std::vector<double> result = along<2>(offset, direction);
   for (int k = 0; k <= displacement.degree; ++k)
     result[k] +=
         scene::linear_coefficient<double>(ends[0].dot(direction), ends[1].dot(direction), displacement.degree, k);
@@ -38,7 +39,7 @@ std::vector<double> jump(const scene::Problem<dim>& problem, const scene::Displa
 
 template <int dim>
 ShearAndSlip shear_and_slip(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                            const scene::Stress<dim>& stress, const ContactFacet& pair) {
+                            const scene::Stress<dim>& stress, const ContactFacetOf<dim>& pair) {
   return {plain_shear(problem, stress, pair),
           jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal))};
 }
@@ -67,7 +68,7 @@ double mean_of_size(const std::vector<double>& slip, const std::array<double, 2>
 
 template <int dim>
 std::vector<double> springs_shortened(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                                      const ContactFacet& pair) {
+                                      const ContactFacetOf<dim>& pair) {
   std::vector<double> c = jump(problem, displacement, pair, problem.facets[pair.first].normal);
   const auto gap =
       scene::raised_to<double>(displacement.degree, std::vector<double>(pair.lower.begin(), pair.lower.end()));
@@ -77,7 +78,7 @@ std::vector<double> springs_shortened(const scene::Problem<dim>& problem, const 
 
 template <int dim>
 double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                  const ContactFacet& pair) {
+                  const ContactFacetOf<dim>& pair) {
   const Vector<dim>& d = problem.facets[pair.first].normal;
   const double length = scene::length(problem.mesh, pair.first);
   double energy = 0;
@@ -94,7 +95,7 @@ double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<
 
 template <int dim>
 double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
-                                const ContactFacet& pair) {
+                                const ContactFacetOf<dim>& pair) {
   if (!has_springs(pair.law)) return 0;
   const auto p = plain_pressure(problem, stress, pair);
   const auto c = scene::compliance_on<double>(pair.law.modulus[0], pair.law.modulus[1]);
@@ -104,7 +105,7 @@ double law_complementary_energy(const scene::Problem<dim>& problem, const scene:
 
 template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& problem) {
   std::vector<char> result(problem.facets.size(), 0);
-  for (const ContactFacet& pair : problem.contact) {
+  for (const ContactFacetOf<dim>& pair : problem.contact) {
     if (!has_friction(pair.law)) continue;
     result[pair.first] = 1;
     if (pair.second >= 0) result[pair.second] = 1;
@@ -113,8 +114,6 @@ template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& pr
 }
 
 template std::vector<double> plain_shear(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
-template std::vector<double> jump(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&,
-                                  const Vector<2>&);
 template ShearAndSlip shear_and_slip(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
                                      const ContactFacet&);
 template std::vector<double> springs_shortened(const scene::Problem<2>&, const scene::Displacement<2>&,
@@ -122,5 +121,6 @@ template std::vector<double> springs_shortened(const scene::Problem<2>&, const s
 template double law_energy(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&);
 template double law_complementary_energy(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
 template std::vector<char> with_friction(const scene::Problem<2>&);
+template std::vector<char> with_friction(const scene::Problem<3>&);
 
 }  // namespace bracket::bounds

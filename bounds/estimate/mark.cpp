@@ -32,5 +32,6 @@ template <int dim> std::vector<char> mark(const scene::Problem<dim>& problem, co
 }
 
 template std::vector<char> mark(const scene::Problem<2>&, const Indicator&, double);
+template std::vector<char> mark(const scene::Problem<3>&, const Indicator&, double);
 
 }  // namespace bracket::bounds

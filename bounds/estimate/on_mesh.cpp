@@ -11,7 +11,6 @@ using scene::Voigt;
 
 template <int dim>
 std::vector<Voigt<dim>> strain(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement, int cell) {
-  static_assert(dim == 2);
   const auto& v = mesh.cells[cell];
   const int degree = displacement.degree;
   const auto gradient = scene::hat_gradients<dim>(scene::positions(mesh, v));
@@ -22,10 +21,10 @@ std::vector<Voigt<dim>> strain(const scene::Mesh<dim>& mesh, const scene::Displa
   if (degree == 1) return {std::size_t{dim} + 1, scene::strain<dim>(linear)};
   const auto offset = scene::offsets_on_cell(mesh, displacement, cell);
   std::vector<Voigt<dim>> strain;
-  for (const auto& i : scene::bernstein_indices(degree - 1)) {
+  for (const auto& i : scene::bernstein_indices<dim>(degree - 1)) {
     Eigen::Matrix<double, dim, dim> g = linear;
     for (int corner = 0; corner <= dim; ++corner) {
-      std::array<int, 3> above = i;
+      auto above = i;
       ++above[corner];
       g += degree * offset[scene::bernstein_place(above)] * gradient[corner].transpose();
     }
@@ -45,10 +44,11 @@ std::vector<Voigt<dim>> displacement_stress(const scene::Problem<dim>& problem,
 template <int dim>
 std::vector<Vector<dim>> on_facet(const scene::Mesh<dim>& mesh, const scene::Displacement<dim>& displacement,
                                   int facet) {
-  const auto& [a, b] = mesh.boundary[facet].vertices;
+  std::array<Vector<dim>, dim> at_vertices;
+  for (int i = 0; i < dim; ++i) at_vertices[i] = displacement.vertex[mesh.boundary[facet].vertices[i]];
   std::vector<Vector<dim>> u = scene::offsets_on_facet(mesh, displacement, facet);
-  for (int k = 0; k <= displacement.degree; ++k)
-    u[k] += scene::linear_coefficient<double>(displacement.vertex[a], displacement.vertex[b], displacement.degree, k);
+  const auto linear = coefficients(at_vertices, displacement.degree);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] += linear[k];
   return u;
 }
 
@@ -57,14 +57,15 @@ std::vector<Vector<dim>> tractions(const scene::Mesh<dim>& mesh, const scene::St
   const auto& f = mesh.boundary[facet];
   const Vector<dim> n = scene::normal(mesh, facet);
   std::vector<Vector<dim>> result;
-  for (const Voigt<dim>& value : scene::stress_of_part(stress, f.cell, f.local).first(stress.degree + 1))
+  for (const Voigt<dim>& value :
+       scene::stress_of_part(stress, f.cell, f.local).first(scene::n_on_facet<dim>(stress.degree)))
     result.push_back(scene::traction<dim>(value, n));
   return result;
 }
 
 template <int dim>
 std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
-                                   const scene::ContactFacet& pair) {
+                                   const scene::ContactFacetOf<dim>& pair) {
   auto t = tractions(problem.mesh, stress, pair.first);
   if (scene::is_loaded(problem.facets[pair.first])) {
     const auto load = loads(problem, pair.first, stress.degree);
@@ -97,13 +98,22 @@ template <int dim> double largest_given(const scene::Problem<dim>& problem) {
 }
 
 template std::vector<Voigt<2>> strain(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::vector<Voigt<3>> strain(const scene::Mesh<3>&, const scene::Displacement<3>&, int);
 template std::vector<Voigt<2>> displacement_stress(const scene::Problem<2>&, const scene::Displacement<2>&, int);
+template std::vector<Voigt<3>> displacement_stress(const scene::Problem<3>&, const scene::Displacement<3>&, int);
 template std::vector<Vector<2>> on_facet(const scene::Mesh<2>&, const scene::Displacement<2>&, int);
+template std::vector<Vector<3>> on_facet(const scene::Mesh<3>&, const scene::Displacement<3>&, int);
 template std::vector<Vector<2>> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
+template std::vector<Vector<3>> tractions(const scene::Mesh<3>&, const scene::Stress<3>&, int);
 template std::vector<double> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
                                             const scene::ContactFacet&);
+template std::vector<double> plain_pressure(const scene::Problem<3>&, const scene::Stress<3>&,
+                                            const scene::ContactFacetOf<3>&);
 template double largest_at_vertices(const scene::Displacement<2>&);
+template double largest_at_vertices(const scene::Displacement<3>&);
 template double largest_stress(const scene::Stress<2>&);
+template double largest_stress(const scene::Stress<3>&);
 template double largest_given(const scene::Problem<2>&);
+template double largest_given(const scene::Problem<3>&);
 
 }  // namespace bracket::bounds

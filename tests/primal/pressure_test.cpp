@@ -16,18 +16,14 @@ namespace {
 
 using scene::Vector;
 
-tests::NumberAt constant(double value) {
-  return [=](const Vector<3>&) { return value; };
-}
-
 /// theory E5 (c): the pressure is linear, L = −3.3125.
 scene::Problem<3> exact_dual(double poisson, std::array<int, 3> cells) {
   auto problem = tests::problem_on(
       tests::mesh_of({{"lower", {{{-1, 1}, {-1, 0}, {-1, 1}}}, cells}, {"upper", {{{-1, 1}, {0, 1}, {-1, 1}}}, cells}}),
       {scene::isotropic<3>(1, poisson, scene::Plane::strain), scene::isotropic<3>(2, poisson, scene::Plane::strain)});
-  tests::slide(problem, "lower.bottom", constant(0));
+  tests::slide(problem, "lower.bottom", tests::everywhere(0));
   tests::load(problem, "upper.top", [](const Vector<3>& x) { return Vector<3>(0, -(1 - .5 * x[0] - .25 * x[2]), 0); });
-  tests::touch(problem, "upper.bottom", "lower.top", constant(0));
+  tests::touch(problem, "upper.bottom", "lower.top", tests::everywhere(0));
   return problem;
 }
 
@@ -117,11 +113,11 @@ scene::Problem<3> wavy(double ratio) {
   tests::move(problem, [](const Vector<3>& x, int) {
     return Vector<3>(x[0], x[1] + .05 * (1 - std::abs(x[1])) * std::sin(5 * x[0]) * std::cos(4 * x[2]), x[2]);
   });
-  tests::fix(problem, "lower.bottom", [](const Vector<3>&) { return Vector<3>(0, 0, 0); });
+  tests::fix(problem, "lower.bottom", tests::nowhere());
   tests::fix(problem, "upper.left", [](const Vector<3>&) { return Vector<3>(0, -.01, 0); });
-  tests::slide(problem, "upper.back", constant(.001));
+  tests::slide(problem, "upper.back", tests::everywhere(.001));
   tests::load(problem, "upper.top", [](const Vector<3>& x) { return Vector<3>(0, .1 * x[0] - .06, .01); });
-  tests::touch(problem, "upper.bottom", "lower.top", constant(-.003));
+  tests::touch(problem, "upper.bottom", "lower.top", tests::everywhere(-.003));
   return problem;
 }
 
@@ -151,9 +147,9 @@ TEST(Pressure, where_none_balances_the_loads_there_may_be_displacements) {
   // (¼, ¾), those of the rows of quadratic displacements up to the rim.
   auto problem = tests::problem_on(tests::mesh_of({{"b", {{{0, 1}, {0, 1}, {0, 1}}}, {1, 2, 1}}}),
                                    {scene::isotropic<3>(1, .3, scene::Plane::strain)});
-  tests::slide(problem, "b.back", constant(0));
-  tests::slide(problem, "b.front", constant(0));
-  tests::touch(problem, "b.bottom", "", constant(0));
+  tests::slide(problem, "b.back", tests::everywhere(0));
+  tests::slide(problem, "b.front", tests::everywhere(0));
+  tests::touch(problem, "b.bottom", "", tests::everywhere(0));
   using contact::Termination;
   for (const auto& [at, displacements, pressures] :
        {std::tuple(.5, Termination::solved, Termination::solved),

@@ -16,11 +16,6 @@ namespace {
 using scene::Vector;
 using tests::Box;
 
-const tests::VectorAt nowhere = [](const Vector<3>&) { return Vector<3>(0, 0, 0); };
-tests::NumberAt constant(double value) {
-  return [=](const Vector<3>&) { return value; };
-}
-
 /// Two blocks on each other, base and top sliding, the top lowered by 0.01; inner and contact nodes moved alike.
 scene::Problem<3> patch(double poisson, int n, double moved) {
   auto problem = tests::problem_on(tests::mesh_of({{"lower", {{{0, 1}, {-.5, 0}, {0, 1}}}, {n, n, n}},
@@ -32,9 +27,9 @@ scene::Problem<3> patch(double poisson, int n, double moved) {
     const double bump = moved / n * std::sin(7 * x[0] + 3 * x[2]) * x[0] * (1 - x[0]) * x[2] * (1 - x[2]) * 16;
     return Vector<3>(x[0] + bump, x[1] + (std::abs(x[1]) == .5 || x[1] == 0 ? 0 : bump / 2), x[2] - bump);
   });
-  tests::slide(problem, "lower.bottom", constant(0));
-  tests::slide(problem, "upper.top", constant(-.01));
-  tests::touch(problem, "upper.bottom", "lower.top", constant(0));
+  tests::slide(problem, "lower.bottom", tests::everywhere(0));
+  tests::slide(problem, "upper.top", tests::everywhere(-.01));
+  tests::touch(problem, "upper.bottom", "lower.top", tests::everywhere(0));
   return problem;
 }
 
@@ -106,7 +101,7 @@ TEST(DisplacementsInSpace, a_corner_of_three_skew_sliding_planes_has_all_three_d
   tests::move(problem, [&](const Vector<3>& x, int) { return Vector<3>(turn * x); });
   tests::slide(problem, "b.left", [](const Vector<3>& x) { return .01 + .001 * x[1]; });
   tests::slide(problem, "b.bottom", [](const Vector<3>& x) { return -.02 + .003 * x[2]; });
-  tests::slide(problem, "b.back", constant(.03));
+  tests::slide(problem, "b.back", tests::everywhere(.03));
   for (const int degree : {1, 2}) {
     const auto result = solve(problem, degree);
     ASSERT_EQ(result.termination, contact::Termination::solved) << result.reason;
@@ -128,7 +123,7 @@ TEST(DisplacementsInSpace, a_corner_of_three_skew_sliding_planes_has_all_three_d
 scene::Problem<3> on_wall(int n, const tests::NumberAt& gap) {
   auto problem = tests::problem_on(tests::mesh_of({{"b", {{{0, 1}, {0, 1}, {0, 1}}}, {n, n, n}}}),
                                    {scene::isotropic<3>(1, .3, scene::Plane::strain)});
-  tests::fix(problem, "b.top", nowhere);
+  tests::fix(problem, "b.top", tests::nowhere());
   tests::touch(problem, "b.bottom", "", gap);
   return problem;
 }
@@ -162,9 +157,9 @@ TEST(ContactRowsInSpace, rows_bound_a_polynomial_between_the_nodes) {
 }
 
 TEST(ContactRowsInSpace, decided_rows_are_dropped_or_refused) {
-  auto problem = on_wall(2, constant(.1));
+  auto problem = on_wall(2, tests::everywhere(.1));
   tests::fix(problem, "b.left", [](const Vector<3>&) { return Vector<3>(0, -.05, 0); });
-  tests::slide(problem, "b.right", constant(0));
+  tests::slide(problem, "b.right", tests::everywhere(0));
   const auto rows = contact_rows(problem, make_nodes(problem, 2));
   EXPECT_EQ(rows.size(), 9u + 16u - 5u);  // all but those of the clamped side
   EXPECT_EQ(solve(problem, 2).termination, contact::Termination::solved);
@@ -190,7 +185,7 @@ scene::Problem<3> in_wavy_corner(int n) {
   tests::move(problem, [](const Vector<3>& x, int) {
     return Vector<3>(x[0], x[1] + .05 * (1 - x[1]) * std::sin(5 * x[0]) * std::cos(4 * x[2]), x[2]);
   });
-  for (const char* part : {"b.bottom", "b.left", "b.back"}) tests::touch(problem, part, "", constant(0));
+  for (const char* part : {"b.bottom", "b.left", "b.back"}) tests::touch(problem, part, "", tests::everywhere(0));
   return problem;
 }
 
@@ -219,7 +214,7 @@ TEST(DisplacementsInSpace, sides_that_keep_together_do_so_along_a_curved_gap) {
       tests::mesh_of(
           {{"lower", {{{0, 1}, {-1, 0}, {0, 1}}}, {2, 2, 2}}, {"upper", {{{0, 1}, {0, 1}, {0, 1}}}, {2, 2, 2}}}),
       {scene::isotropic<3>(1, .3, scene::Plane::strain), scene::isotropic<3>(10, .2, scene::Plane::strain)});
-  tests::fix(problem, "lower.bottom", nowhere);
+  tests::fix(problem, "lower.bottom", tests::nowhere());
   tests::load(problem, "upper.top", [](const Vector<3>& x) { return Vector<3>(0, .01 * (1 - 2 * x[0]), 0); });
   tests::touch(problem, "upper.bottom", "lower.top", gap, true);
   const auto result = solve(problem, 2);

@@ -30,6 +30,12 @@ void move(scene::Problem<3>& problem, const std::function<scene::Vector<3>(const
 
 using VectorAt = std::function<scene::Vector<3>(const scene::Vector<3>&)>;
 using NumberAt = std::function<double(const scene::Vector<3>&)>;
+inline NumberAt everywhere(double value) {
+  return [=](const scene::Vector<3>&) { return value; };
+}
+inline VectorAt nowhere() {
+  return [](const scene::Vector<3>&) { return scene::Vector<3>(0, 0, 0); };
+}
 void fix(scene::Problem<3>& problem, const std::string& part, const VectorAt& displacement);
 void slide(scene::Problem<3>& problem, const std::string& part, const NumberAt& normal_displacement);
 void load(scene::Problem<3>& problem, const std::string& part, const VectorAt& traction);
