@@ -249,6 +249,11 @@ std::string contradiction(const std::vector<QuantityInterval>& quantities) {
   return "";
 }
 
+template QuantityInterval unknown(const Asked<3>&);
+template Targets targets(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
+template std::vector<std::size_t> due(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
+template std::vector<std::size_t> missing(const Outcome<3>&, const std::vector<Asked<3>>&);
+template const Indicator& steering(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
 template struct Asked<2>;
 template std::vector<Asked<2>> asked(const scene::Scene<2>&, const scene::Problem<2>&);
 template QuantityInterval unknown(const Asked<2>&);

@@ -85,6 +85,7 @@ template <int dim> struct Observer {
 /// degree of the displacements, 1 to 4 \throw scene::Error (ill_posed), with the place on the contact or with the body,
 /// the motion and both forces
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree);
+template <> scene::Problem<3> balanced(scene::Problem<3> problem, int degree);
 
 /// The whole main job: mesh, fixed data, solvability; then level by level both formulations, checks, bracket, marking
 /// and refinement, until the target or the budget of scene.refine. Where the data are not linear on the edges of the

@@ -43,7 +43,7 @@ Eigen::VectorXd sizes_of_slip(const Problem<dim>& problem, const scene::Displace
 }  // namespace
 
 template <int dim> bool has_coulomb(const Problem<dim>& problem) {
-  return std::ranges::any_of(problem.contact, [](const ContactFacet& pair) { return pair.law.coulomb > 0; });
+  return std::ranges::any_of(problem.contact, [](const auto& pair) { return pair.law.coulomb > 0; });
 }
 
 template <int dim> Problem<dim> with_first_friction(Problem<dim> problem, int degree) {
@@ -88,6 +88,7 @@ template <int dim> Meshed<dim> with_friction_settled(Meshed<dim> meshed, int deg
 }
 
 template bool has_coulomb(const Problem<2>&);
+template bool has_coulomb(const Problem<3>&);
 template Problem<2> with_first_friction(Problem<2>, int);
 template Meshed<2> with_friction_settled(Meshed<2>, int, const Observer<2>&);
 

@@ -45,6 +45,7 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   if (start.termination == contact::Termination::solved) {
     solved.dual = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
     solved.dual.statistics.seconds.contact += of_pressure;
+    solved.unsolved = solved.dual.reason;
   } else {
     solved.dual.termination = start.termination;
     solved.dual.reason = solved.unsolved = std::move(start.reason);
@@ -235,9 +236,13 @@ Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& prob
   return {one_problem ? risen(earlier, problem, examined) : "", false, true};
 }
 
-template struct Examined<2>;
-template Examined<2> examine(const scene::Scene<2>&, const Meshed<2>&, const std::vector<Level>&, const Clock&,
-                             const Observer<2>&);
-template Objection objection(const Outcome<2>&, const scene::Problem<2>&, const Examined<2>&, bool);
+#define INSTANTIATE(dim)                                                                                  \
+  template struct Examined<dim>;                                                                          \
+  template Examined<dim> examine(const scene::Scene<dim>&, const Meshed<dim>&, const std::vector<Level>&, \
+                                 const Clock&, const Observer<dim>&);                                     \
+  template Objection objection(const Outcome<dim>&, const scene::Problem<dim>&, const Examined<dim>&, bool);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
@@ -85,19 +87,16 @@ std::vector<char> inherited(const std::vector<char>& closed, const std::vector<i
 }
 
 /// Of each contact facet of a problem, the nearest one of the same pair on the mesh before, −1: none.
-template <int dim>
-std::vector<int> nearest_contacts(const scene::Problem<dim>& before, const scene::Problem<dim>& problem) {
-  const auto middle = [](const scene::Problem<dim>& of, const auto& pair) {
-    const auto x = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
-    scene::Vector<dim> sum = x[0];
-    for (int i = 1; i < dim; ++i) sum += x[i];
-    return scene::Vector<dim>(sum / dim);
+std::vector<int> nearest_contacts(const scene::Problem<2>& before, const scene::Problem<2>& problem) {
+  const auto middle = [](const scene::Problem<2>& of, const scene::ContactFacet& pair) {
+    const auto [a, b] = scene::positions(of.mesh, of.mesh.boundary[pair.first].vertices);
+    return scene::Vector<2>((a + b) / 2);
   };
-  std::vector<scene::Vector<dim>> old;
+  std::vector<scene::Vector<2>> old;
   for (const auto& pair : before.contact) old.push_back(middle(before, pair));
   std::vector<int> nearest;
   for (const auto& pair : problem.contact) {
-    const scene::Vector<dim> x = middle(problem, pair);
+    const scene::Vector<2> x = middle(problem, pair);
     nearest.push_back(-1);
     for (std::size_t j = 0; j < old.size(); ++j)
       if (before.contact[j].pair == pair.pair &&
@@ -118,20 +117,22 @@ template <int dim>
 Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const scene::Problem<dim>& problem,
                   std::vector<char> marked, const Examined<dim>& examined, bool one_problem) {
   if (marked.empty()) marked.assign(problem.mesh.cells.size(), 1);
-  if (!one_problem) {
-    scene::Mesh<dim> mesh = scene::finer_mesh(scene, problem, marked);
-    mesh.notes = old.notes;
-    Meshed<dim> meshed{.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree),
-                       .notes = old.notes};
-    const std::vector<int> nearest = nearest_contacts(problem, meshed.problem);
-    meshed.primal_closed = inherited(examined.primal.closed, nearest);
-    meshed.dual_closed = inherited(examined.dual.closed, nearest);
-    return meshed;
-  }
+  if constexpr (dim == 2)
+    if (!one_problem) {
+      scene::Mesh<dim> mesh = scene::finer_mesh(scene, problem, marked);
+      mesh.notes = old.notes;
+      Meshed<dim> meshed{.problem = balanced(scene::fix_data(scene, std::move(mesh)), scene.solve.degree),
+                         .notes = old.notes};
+      const std::vector<int> nearest = nearest_contacts(problem, meshed.problem);
+      meshed.primal_closed = inherited(examined.primal.closed, nearest);
+      meshed.dual_closed = inherited(examined.dual.closed, nearest);
+      return meshed;
+    }
   auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
   return {.problem = std::move(refined),
           .primal_closed = inherited(examined.primal.closed, contact_parent),
-          .dual_closed = inherited(examined.dual.closed, contact_parent),
+          .dual_closed =
+              examined.dual.closed.empty() ? std::vector<char>() : inherited(examined.dual.closed, contact_parent),
           .changed = old.changed,
           .notes = old.notes};
 }
@@ -164,13 +165,30 @@ template <int dim> int count_of_cells(const Meshed<dim>& meshed) {
   return static_cast<int>(meshed.problem.mesh.cells.size());
 }
 
+/// With the last of the steps by which Coulomb's friction is approached.
+template <int dim>
+Meshed<dim> settled(Meshed<dim> meshed, const scene::Scene<dim>& scene, const Observer<dim>& observer) {
+  if constexpr (dim == 2)
+    if (has_coulomb(meshed.problem)) return with_friction_settled(std::move(meshed), scene.solve.degree, observer);
+  return meshed;
+}
+/// In the plane the first mesh is refined for data that it does not resolve.
+template <int dim>
+std::optional<Meshed<dim>> resolved(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
+                                    const Examined<dim>& examined, const Clock& run_clock) {
+  if constexpr (dim == 2) return with_data_resolved(scene, meshed, examined, run_clock);
+  return {};
+}
+
 /// A run, level by level: problem → {displacement | stress} → certificate, bracket, indicators → marks → problem → …
 /// Where the machine does not hold more it ends; the levels so far stand.
 /// \param first makes the problem on the first mesh
 template <int dim, class First>
 Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const Observer<dim>& observer) {
   const Clock clock;
-  const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
+  // In the plane each of the two formulations has a thread of its own; in space they run in turn.
+  const contact::BlasThreads threads(dim == 2 ? 1
+                                              : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
   const scene::Refine& refine = scene.refine;
   Outcome<dim> outcome;
   std::vector<Asked<dim>> asked;
@@ -182,7 +200,8 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
   const auto compute = [&](const std::vector<std::size_t>& which, const Examined<dim>& examined, bool one_problem) {
     if (observer.stage && !which.empty()) observer.stage("quantities");
     for (const std::size_t i : which) {
-      outcome.quantities[i] = on_last_level(outcome, scene, asked[i], outcome.quantities[i], examined, one_problem);
+      if constexpr (dim == 2)  // in space there are none yet
+        outcome.quantities[i] = on_last_level(outcome, scene, asked[i], outcome.quantities[i], examined, one_problem);
       const double seconds = outcome.quantities[i].levels.back().seconds;
       outcome.levels.back().seconds.quantities += seconds;
       outcome.levels.back().seconds.total += seconds;
@@ -192,19 +211,17 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     Meshed<dim> meshed = first();
     size = fmt::format("{} cells", count_of_cells(meshed));
     meshed.problem = balanced(std::move(meshed.problem), scene.solve.degree);
-    asked = bounds::asked(scene, meshed.problem);
+    if constexpr (dim == 2) asked = bounds::asked(scene, meshed.problem);
     for (const Asked<dim>& one : asked) outcome.quantities.push_back(unknown(one));
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
-      if (has_coulomb(meshed.problem)) meshed = with_friction_settled(std::move(meshed), scene.solve.degree, observer);
+      meshed = settled(std::move(meshed), scene, observer);
       Examined<dim> examined = examine(scene, meshed, outcome.levels, clock, observer);
       while (outcome.levels.empty() && !observer.stop.stop_requested()) {
-        auto finer_first = with_data_resolved(scene, meshed, examined, clock);
+        auto finer_first = resolved(scene, meshed, examined, clock);
         if (!finer_first) break;
-        meshed = std::move(*finer_first);
-        if (has_coulomb(meshed.problem))
-          meshed = with_friction_settled(std::move(meshed), scene.solve.degree, observer);
+        meshed = settled(std::move(*finer_first), scene, observer);
         examined = examine(scene, meshed, outcome.levels, clock, observer);
       }
       const bool bracketed = examined.unsolved.empty(), one_problem = is_one_problem(scene, meshed);

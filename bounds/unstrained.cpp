@@ -38,7 +38,7 @@ bool is_unstrained(const scene::Problem<dim>& problem, const scene::Displacement
 }
 
 template <int dim> scene::Stress<dim> no_stress(const scene::Mesh<dim>& mesh, int degree) {
-  const std::size_t coefficients = (dim + 1) * scene::n_bernstein(degree);
+  const std::size_t coefficients = (dim + 1) * scene::n_bernstein<dim>(degree);
   return {degree, {mesh.cells.size(), {coefficients, scene::Voigt<dim>::Zero()}}};
 }
 
@@ -51,9 +51,13 @@ scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, co
   return displacement;
 }
 
-template double energy_of_noise(const scene::Problem<2>&, int, double);
-template bool is_unstrained(const scene::Problem<2>&, const scene::Displacement<2>&);
-template scene::Stress<2> no_stress(const scene::Mesh<2>&, int);
-template scene::Displacement<2> translated(const scene::Mesh<2>&, int, const scene::Vector<2>&);
+#define INSTANTIATE(dim)                                                                         \
+  template double energy_of_noise(const scene::Problem<dim>&, int, double);                      \
+  template bool is_unstrained(const scene::Problem<dim>&, const scene::Displacement<dim>&);      \
+  template scene::Stress<dim> no_stress(const scene::Mesh<dim>&, int);                           \
+  template scene::Displacement<dim> translated(const scene::Mesh<dim>&, int, const scene::Vector<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

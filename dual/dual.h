@@ -60,7 +60,7 @@ Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vec
 ///     loads of bodies that float
 /// \param displacement of degree 1 or 2, best that by these pressures without contact
 /// \param sweeps how often S is then minimised star by star
-/// \return solved, whatever the field is worth; `closed` is empty
+/// \return solved, whatever the field is worth, or not_definite; `closed` is empty
 template <int dim>
 Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::array<double, std::size_t{dim}>>& pressure,
                   const scene::Displacement<dim>& displacement, int sweeps);

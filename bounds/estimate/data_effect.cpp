@@ -1,7 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: data on edges.
+// Planar, but for the end: data on edges.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bounds/estimate/on_mesh.h"
 #include "scene/problem/difference.h"
@@ -160,6 +161,30 @@ DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>
       effect.facet[problem.contact[j].first] = effect_of_gap(*gap, problem, problem.contact[j], states[j].pressure);
   }
   for (const double share : effect.facet) effect.energy += share;
+  return effect;
+}
+
+/// In space: nothing where the data are carried exactly; else no bound is known.
+template <>
+DataEffect data_effect(const scene::Scene<3>& scene, const scene::Problem<3>& problem, const scene::Displacement<3>&,
+                       const scene::Stress<3>&) {
+  constexpr double rounding = 1e-13;
+  DataEffect effect;
+  effect.facet.assign(problem.facets.size(), 0);
+  const auto [traction, displacement, gap] = problem.oscillation;
+  if (std::max({traction, displacement, gap}) < rounding) return effect;
+  effect.energy = std::numeric_limits<double>::infinity();
+  const auto& mesh = problem.mesh;
+  for (std::size_t f = 0; f < effect.facet.size(); ++f) {  // to name a part: of which the data differ at the middle
+    const auto& [vertices, cell, local, edge, part] = mesh.boundary[f];
+    const auto condition = part < 0 ? scene.boundary.end() : scene.boundary.find(mesh.parts[part]);
+    if (condition == scene.boundary.end()) continue;
+    const auto x = scene::positions(mesh, vertices);
+    for (const auto& value : condition->second.value) {
+      const double mean = (value(x[0]) + value(x[1]) + value(x[2])) / 3, middle = value((x[0] + x[1] + x[2]) / 3);
+      effect.facet[f] = std::max(effect.facet[f], std::abs(mean - middle));
+    }
+  }
   return effect;
 }
 

@@ -99,6 +99,9 @@ struct DataEffect {
 template <int dim>
 DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                        const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
+template <>
+DataEffect data_effect(const scene::Scene<3>& scene, const scene::Problem<3>& problem,
+                       const scene::Displacement<3>& displacement, const scene::Stress<3>& stress);
 
 /// The pressure of λ_h on each contact facet, by Bernstein coefficients in the order of scene/on_facet.h on the first
 /// facet, which are ≥ 0 (degree 1: its values at the vertices); exactly 0 where one is not more than rounding of λ_h.

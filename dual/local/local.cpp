@@ -1,4 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "contact/clock.h"
 #include "dual/dual.h"
 #include "dual/local/contact_step.h"
@@ -362,24 +365,34 @@ Result<dim> local(const Problem<dim>& problem, const std::vector<std::array<doub
   Clock clock;
   Result<dim> result;
   contact::Statistics& statistics = result.statistics;
-  Loads<dim> loads(problem, pressure, displacement);
-  statistics.seconds.assemble = clock.lap();
-  loads.equilibrate();
-  statistics.seconds.factorise = clock.lap();
-  for (int i = 0; i < contact_sweeps; ++i) loads.contact_sweep();
-  statistics.seconds.contact = clock.lap();
-  for (int i = 0; i < sweeps; ++i) {
-    loads.sweep();
-    statistics.seconds.factorise += clock.lap();
-    loads.contact_sweep();
-    statistics.seconds.contact += clock.lap();
+  try {
+    Loads<dim> loads(problem, pressure, displacement);
+    statistics.seconds.assemble = clock.lap();
+    loads.equilibrate();
+    statistics.seconds.factorise = clock.lap();
+    for (int i = 0; i < contact_sweeps; ++i) loads.contact_sweep();
+    statistics.seconds.contact = clock.lap();
+    for (int i = 0; i < sweeps; ++i) {
+      loads.sweep();
+      statistics.seconds.factorise += clock.lap();
+      loads.contact_sweep();
+      statistics.seconds.contact += clock.lap();
+    }
+    result.stress = loads.stress();
+    statistics.seconds.recover = clock.lap();
+    statistics.unknowns = loads.unknowns();
+    statistics.rows = dim * static_cast<int>(problem.contact.size());
+    for (const auto& facet : loads.pressure())
+      statistics.active_rows += static_cast<int>(std::ranges::count_if(facet, [](double p) { return p != 0; }));
+  } catch (const NotDefinite& star) {
+    result.termination = contact::Termination::not_definite;
+    std::vector<std::string> at;
+    for (const double x : problem.mesh.vertices[star.vertex]) at.push_back(fmt::format("{:.7g}", x));
+    result.reason = fmt::format(
+        "stresses: the cells at the vertex ({}) are too thin, or their moduli too unlike, for the precision of a "
+        "double",
+        fmt::join(at, ", "));
   }
-  result.stress = loads.stress();
-  statistics.seconds.recover = clock.lap();
-  statistics.unknowns = loads.unknowns();
-  statistics.rows = dim * static_cast<int>(problem.contact.size());
-  for (const auto& facet : loads.pressure())
-    statistics.active_rows += static_cast<int>(std::ranges::count_if(facet, [](double p) { return p != 0; }));
   return result;
 }
 

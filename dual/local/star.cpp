@@ -159,7 +159,7 @@ StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>
         if (unknown_[f] >= 0 && unknown_[g] >= 0) matrix_.connect(unknown_[f], unknown_[g]);
   matrix_.order(last < 0 ? n - 1 : last);
   assemble();
-  if (!matrix_.factorise()) throw std::runtime_error("the system of a star is not definite");
+  if (!matrix_.factorise()) throw NotDefinite{star.vertex()};
 }
 
 /// By Cholesky: H = L Lᵀ, B L⁻ᵀ = (Q R)ᵀ for the resultants B of the loads.

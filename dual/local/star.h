@@ -82,6 +82,11 @@ template <int dim> struct StarData {
   explicit StarData(const Star<dim>& star);  ///< all zero
 };
 
+/// A star whose system is not definite in floating point.
+struct NotDefinite {
+  int vertex;
+};
+
 /// The least energy Σ ½ DᵀH D + gradientᵀ D − D · prescribed of loads D on a star's spokes that do what is given.
 template <int dim> class StarSystem {
  public:
@@ -92,7 +97,7 @@ template <int dim> class StarSystem {
   };
 
   /// \param energy H of all cells of the mesh
-  /// \throw std::runtime_error where it is not definite in floating point
+  /// \throw NotDefinite
   StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy);
   /// What `sum` lacks of balance along Star::motions() is left on one spoke.
   Solution solve(const StarData<dim>& data) const;

@@ -303,18 +303,21 @@ std::vector<LinearStress<dim>> target_stress(const Problem<dim>& problem, const 
   }
   const contact::Bodies bodies(std::move(systems));
   const std::vector<Eigen::VectorXd> lacking = defects(problem, facets, stars, given, stress);
-  std::vector<Eigen::VectorXd> amounts;
+  std::vector<Eigen::VectorXd> rights, amounts;
   for (std::size_t b = 0; b < offsets.size(); ++b) {
-    Eigen::VectorXd right(offsets[b].back());
+    Eigen::VectorXd& right = rights.emplace_back(offsets[b].back());
     for (std::size_t v = 0; v < stars.size(); ++v)
       if (node[v] >= 0 && component[v] == static_cast<int>(b))
         right.segment(offsets[b][node[v]], lacking[v].size()) = lacking[v];
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
-    constexpr int refinements = 6;
+  }
+  contact::Solution solution = bodies.solve(rights, Eigen::VectorXd());
+  if (solution.termination != contact::Termination::solved) return stress;  // not definite in floating point
+  for (std::size_t b = 0; b < offsets.size(); ++b) {
+    Eigen::VectorXd& x = amounts.emplace_back(std::move(solution.displacement[b]));
+    constexpr int refinements = 5;
     const auto matrix = matrices[b].selfadjointView<Eigen::Lower>();
-    for (int step = 0; step < refinements && right.size() > 0; ++step)
-      x += bodies.respond(static_cast<int>(b), right - matrix * x);
-    amounts.push_back(std::move(x));
+    for (int step = 0; step < refinements && x.size() > 0; ++step)
+      x += bodies.respond(static_cast<int>(b), rights[b] - matrix * x);
   }
   scene::for_each_index(n_cells, [&](int c) {
     const auto X = strains(problem, stars, c);

@@ -79,6 +79,7 @@ template double pressure_at(const FacetData<2>&, double);
 template std::array<Vector<2>, 2> load(const Problem<2>&, int);
 template std::array<Vector<3>, 3> load(const Problem<3>&, int);
 template std::array<Vector<2>, 2> higher_load(const Problem<2>&, int);
+template std::array<Vector<3>, 2> higher_load(const Problem<3>&, int);
 template int degree_of_loads(const Problem<2>&);
 
 }  // namespace bracket::scene
