@@ -99,8 +99,7 @@ Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_pt
 template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem) {
   std::vector<Asked<dim>> result;
   for (const auto& quantity : scene.quantities) {
-    const bool of_contact = quantity.kind == QuantityKind::force || quantity.kind == QuantityKind::opening;
-    result.push_back({quantity, of_contact ? pair_named(scene, quantity.of, quantity.where) : -1, -1});
+    result.push_back({quantity, is_of_contact(quantity) ? pair_named(scene, quantity.of, quantity.where) : -1, -1});
   }
   for (std::size_t i = 0; i < scene.contact.size(); ++i)
     for (auto& zone : zones(scene, problem, static_cast<int>(i))) result.push_back(std::move(zone));

@@ -108,7 +108,7 @@ scene::Problem<2> with_work(scene::Problem<2> problem, const FreeMotions<2>& all
 
 /// The problem with corrections along all motions that neither supports nor the pairs that the loads need act on.
 /// \param pressure that balances the loads but for what is explained, as rows of holding()
-/// \param rounding what a pair carries at most if it carries nothing
+/// \param rounding what a pair carries at most, by pressure or friction, if it carries nothing
 scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::VectorXd& pressure, double rounding) {
   for (const auto& pair : problem.contact)
     problem.carries.resize(std::max<std::size_t>(problem.carries.size(), pair.pair + 1), 0);
@@ -116,6 +116,9 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
   for (std::size_t j = 0; j < problem.contact.size(); ++j)
     force[problem.contact[j].pair] += problem.contact[j].law.two_sided ? std::numeric_limits<double>::infinity()
                                                                        : pressure[2 * j] + pressure[2 * j + 1];
+  auto shear = static_cast<Eigen::Index>(2 * problem.contact.size());
+  for (const auto& pair : problem.contact)
+    for (int i = 0; i < 2 && has_friction(pair.law); ++i) force[pair.pair] += std::abs(pressure[shear++]);
   for (std::size_t pair = 0; pair < force.size(); ++pair) problem.carries[pair] = force[pair] > rounding;
   const int unheld = unheld_motions(problem, problem.carries);
   if (unheld == 0) {

@@ -142,14 +142,15 @@ LoadVector<degree> edge_displacements(const Cell<degree>& cell, const Eigen::Vec
   return edges;
 }
 
-template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem, int degree) {
+template <int dim>
+Eigen::VectorXd moments(const Problem<dim>& problem, int degree, std::array<double, 3> scene::ContactFacet::*which) {
   Eigen::VectorXd moments((degree + 1) * problem.contact.size());
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
-    const auto& g = problem.contact[j].upper;
+    const auto& given = problem.contact[j].*which;
     const double length = scene::length(problem.mesh, problem.contact[j].first);
     for (int i = 0; i <= degree; ++i) {
       double mean = 0;
-      for (int k = 0; k < 3; ++k) mean += scene::number<double>(scene::bernstein_mass(degree, i, 2, k)) * g[k];
+      for (int k = 0; k < 3; ++k) mean += scene::number<double>(scene::bernstein_mass(degree, i, 2, k)) * given[k];
       moments[(degree + 1) * j + i] = length * mean;
     }
   }
@@ -158,7 +159,7 @@ template <int dim> Eigen::VectorXd gap_moments(const Problem<dim>& problem, int 
 
 template Layout lay_out(const Problem<2>&, int);
 template Triangle corners(const scene::Mesh<2>&, int);
-template Eigen::VectorXd gap_moments(const Problem<2>&, int);
+template Eigen::VectorXd moments(const Problem<2>&, int, std::array<double, 3> scene::ContactFacet::*);
 #define BRACKET_CELLS(degree)                                                                   \
   template std::vector<Cell<degree>> make_cells<degree>(const Problem<2>&, const Layout&);      \
   template std::vector<LoadVector<degree>> prescribed_displacements<degree>(const Problem<2>&); \

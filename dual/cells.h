@@ -57,7 +57,10 @@ template <int degree>
 LoadVector<degree> edge_displacements(const Cell<degree>& cell, const Eigen::VectorXd& unknowns,
                                       const LoadVector<degree>& otherwise);
 
-/// ∫ B_i g over each contact facet, for the Bernstein polynomials of the first facet: entry (degree + 1) facet + i.
-template <int dim> Eigen::VectorXd gap_moments(const scene::Problem<dim>& problem, int degree);
+/// ∫ B_i q over each contact facet, for the Bernstein polynomials of the first facet: entry (degree + 1) facet + i.
+/// \param which the quadratic q: a gap, or what friction does not see of the slip
+template <int dim>
+Eigen::VectorXd moments(const scene::Problem<dim>& problem, int degree,
+                        std::array<double, 3> scene::ContactFacet::*which);
 
 }  // namespace bracket::dual

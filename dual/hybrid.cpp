@@ -230,11 +230,14 @@ Result<dim> solved(const OfDegree<degree, dim>& of, const Problem<dim>& problem,
   std::vector<Eigen::VectorXd> all = all_loads<degree>(problem, cells, data, loads);
   if (const auto& systems = bodies.systems(); systems.size() > all.size())  // springs
     all.push_back(Eigen::VectorXd::Zero(systems.back().stiffness.rows()));
-  Eigen::VectorXd of_facets = gap_moments(problem, degree);
-  if (wider.size() > 0) of_facets += wider;
+  Eigen::VectorXd of_gap = moments(problem, degree, &scene::ContactFacet::upper);
+  if (wider.size() > 0) of_gap += wider;
+  const Eigen::VectorXd of_slip = moments(problem, degree, &scene::ContactFacet::slip);
   Eigen::VectorXd gaps(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    gaps[r] = rows[r].of_approach * of_facets[(degree + 1) * rows[r].facet + rows[r].i];
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const int place = (degree + 1) * rows[r].facet + rows[r].i;
+    gaps[r] = rows[r].of_approach * of_gap[place] + rows[r].of_slip * of_slip[place];
+  }
   std::vector<char> guess;
   for (const RowOf& row : rows)
     if (!closed.empty()) guess.push_back((closed[row.facet] & row.state()) != 0);

@@ -59,7 +59,7 @@ template <int dim>
 std::vector<Opening> openings(const Problem<dim>& problem, const std::vector<UzawaCell>& cells,
                               const scene::Stress<dim>& particular) {
   const auto& mesh = problem.mesh;
-  const Eigen::VectorXd gaps = gap_moments(problem, 1);
+  const Eigen::VectorXd gaps = moments(problem, 1, &scene::ContactFacet::upper);
   // A facet runs along its cell's edge: its vertex i is the end i.
   const auto multiplier = [&](const auto& facet, int end) {
     return cells[facet.cell].multipliers[4 * facet.local + 2 * end];

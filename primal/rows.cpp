@@ -71,7 +71,8 @@ double shear_limit(const Problem<2>& problem, const ContactFacet& pair, int degr
   return scene::length(problem.mesh, pair.first) * mean;
 }
 
-/// The end rows of slip; what facets that share one can bear adds up.
+/// The end rows of slip; what facets that share one can bear adds up. What they do not see of it is one number but for
+/// rounding, where it does not jump.
 std::vector<EndRow> slip_end_rows(const Problem<2>& problem, const Approach<2>& approach, int degree) {
   std::vector<EndRow> rows;
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
@@ -80,10 +81,12 @@ std::vector<EndRow> slip_end_rows(const Problem<2>& problem, const Approach<2>& 
       const auto [first, second] = approach.vertices(pair, i);
       if (first == second) continue;
       const double limit = shear_limit(problem, pair, degree, i * degree);
-      rows.push_back({first, second, problem.facets[pair.first].normal, static_cast<int>(j), i, 0, -limit, limit});
+      rows.push_back(
+          {first, second, problem.facets[pair.first].normal, static_cast<int>(j), i, pair.slip[2 * i], -limit, limit});
     }
   }
   return distinct(std::move(rows), [](EndRow& row, const EndRow& other) {
+    if (other.gap != row.gap) row.gap = (row.gap + other.gap) / 2;
     row.lower += other.lower;
     row.upper += other.upper;
   });
@@ -124,15 +127,17 @@ template <> std::vector<Row> contact_rows(const Problem<2>& problem, const Nodes
   }
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const ContactFacet& pair = problem.contact[j];
-    for (int k = 1; k < degree && has_friction(pair.law); ++k) {
+    if (!has_friction(pair.law)) continue;
+    const auto unseen = scene::raised_to<double>(degree, std::vector<double>(pair.slip.begin(), pair.slip.end()));
+    for (int k = 1; k < degree; ++k) {
       const double limit = shear_limit(problem, pair, degree, k);
-      Row row{{}, 0, 0, static_cast<int>(j), -limit, limit, -1, true};
+      Row row{{}, unseen[k], std::abs(unseen[k]), static_cast<int>(j), -limit, limit, -1, true};
       approach.add_coefficient(row, pair, k, scene::tangent(problem.facets[pair.first].normal));
       rows.keep(std::move(row), mesh.vertices[mesh.boundary[pair.first].vertices[0]]);
     }
   }
   for (const EndRow& end : slip_end_rows(problem, approach, degree)) {
-    Row row{{}, 0, 0, end.facet, end.lower, end.upper, -1, true};
+    Row row{{}, end.gap, std::abs(end.gap), end.facet, end.lower, end.upper, -1, true};
     approach.add_end(row, problem.contact[end.facet], end.end, scene::tangent(end.normal));
     rows.keep(std::move(row), mesh.vertices[end.first]);
   }

@@ -8,9 +8,9 @@
 
 namespace bracket::primal {
 
-/// A contact row Σ coefficient · q ≤ bound, one Bernstein coefficient of r and g; or of the slip v_t, with bound 0 (see
-/// scene/problem/law.h). Limits of its multiplier say what it does: p ≥ 0, of either sign where the sides keep
-/// together, |τ| ≤ ∫ g_T B_i where they rub.
+/// A contact row Σ coefficient · q ≤ bound, one Bernstein coefficient of r and g; or of the slip v_t and of what
+/// friction does not see of it (ContactFacet::slip). Limits of its multiplier say what it does: p ≥ 0, of either sign
+/// where the sides keep together, |τ| ≤ ∫ g_T B_i where they rub.
 struct Row {
   struct Entry {
     int body, unknown;

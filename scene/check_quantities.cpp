@@ -19,9 +19,13 @@ template <int dim> std::string fault_in(const Quantity<dim>& quantity) {
   if (quantity.direction && !directed) return "only displacements and reactions have a direction";
   if (quantity.kind == body && !quantity.direction) return "a body has no normal; give a direction";
   if (quantity.direction && quantity.direction->isZero(0)) return "its direction must not be zero";
-  const bool of_contact = quantity.kind == force || quantity.kind == opening;
-  if ((quantity.stretch || quantity.weight) && !of_contact)
-    return "only forces and openings of contacts have a stretch or a weight";
+  if (quantity.of_force != ForceComponent::normal && quantity.kind != force)
+    return "only the force of a contact has a component \"shear\"";
+  if ((quantity.stretch || quantity.weight) && !is_pressing_force(quantity) && quantity.kind != opening)
+    return is_of_contact(quantity)
+               ? "shear and slip have either sign, and no stretch or weight; ask for the whole contact, and for a part "
+                 "of it make two contacts"
+               : "only forces and openings of contacts have a stretch or a weight";
   if (quantity.stretch && quantity.weight) return "either a stretch or a weight";
   if (dim == 3 && quantity.kind == rotation) return "a rotation is asked for in the plane only";
   if (dim == 3 && quantity.stretch) return "a stretch by arc length is one of the plane; in space write a weight";

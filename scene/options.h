@@ -12,8 +12,9 @@ enum class ConditionKind { fixed, sliding, traction, pressure };
 enum class Strategy { none, uniform, adaptive };
 enum class Dual { hybrid, uzawa, local };
 enum class Law { frictionless, bonded, bilateral, winkler, tresca, coulomb };
-enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy };
+enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy, slip };
 enum class StressComponent { xx, yy, xy, mean };
+enum class ForceComponent { normal, shear };
 
 /// The names of an option's values, in their order.
 template <class Option> inline constexpr std::array<const char*, 0> option_names{};
@@ -24,9 +25,10 @@ template <> inline constexpr std::array option_names<Dual>{"hybrid", "uzawa", "l
 template <>
 inline constexpr std::array option_names<Law>{"frictionless", "bonded", "bilateral", "winkler", "tresca", "coulomb"};
 template <>
-inline constexpr std::array option_names<QuantityKind>{"displacement", "body",     "rotation", "force",
-                                                       "opening",      "reaction", "stress",   "energy"};
+inline constexpr std::array option_names<QuantityKind>{"displacement", "body",   "rotation", "force", "opening",
+                                                       "reaction",     "stress", "energy",   "slip"};
 template <> inline constexpr std::array option_names<StressComponent>{"xx", "yy", "xy", "mean"};
+template <> inline constexpr std::array option_names<ForceComponent>{"normal", "shear"};
 
 template <class Option> std::string name(Option option) {
   return option_names<Option>[static_cast<std::size_t>(option)];

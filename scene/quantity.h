@@ -19,16 +19,27 @@ struct LineStretch {
 template <int dim> struct Quantity {
   std::string name;  ///< one of its own in the scene
   QuantityKind kind = QuantityKind::energy;
-  std::string of;  ///< displacement, rotation, reaction: a boundary part; body, stress: a body; force, opening: a
-                   ///< contact, by its name or its first part; empty for the energy
+  std::string of;  ///< displacement, rotation, reaction: a boundary part; body, stress: a body; force, opening,
+                   ///< slip: a contact, by its name or its first part; empty for the energy
   std::optional<Vector<dim>> direction;  ///< of displacement, body and reaction, of any length; nothing: the outward
                                          ///< normal (not of bodies)
   StressComponent component = StressComponent::mean;
-  std::optional<LineStretch> stretch;  ///< of a contact; nothing: the whole of it
-  Function<dim> weight;                ///< in place of a stretch: ∫ weight · p, ∫ weight · opening; empty: none
-  double target = 0;                   ///< width to reach by the larger of the bounds' sizes; 0: none asked
-  double absolute = 0;                 ///< width to reach, in the quantity's own units; 0: none asked
+  ForceComponent of_force = ForceComponent::normal;  ///< ∫ p of a contact, or ∫ τ (scene/problem/law.h)
+  std::optional<LineStretch> stretch;                ///< of a contact; nothing: the whole of it
+  Function<dim> weight;  ///< in place of a stretch: ∫ weight · p, ∫ weight · opening; empty: none
+  double target = 0;     ///< width to reach by the larger of the bounds' sizes; 0: none asked
+  double absolute = 0;   ///< width to reach, in the quantity's own units; 0: none asked
   std::string where = {};
 };
+
+/// Whether it is a force along the normal of a contact.
+template <int dim> bool is_pressing_force(const Quantity<dim>& quantity) {
+  return quantity.kind == QuantityKind::force && quantity.of_force == ForceComponent::normal;
+}
+/// Whether it is of a contact.
+template <int dim> bool is_of_contact(const Quantity<dim>& quantity) {
+  using enum QuantityKind;
+  return quantity.kind == force || quantity.kind == opening || quantity.kind == slip;
+}
 
 }  // namespace bracket::scene

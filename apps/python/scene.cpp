@@ -129,9 +129,13 @@ void add_quantity(Scene& scene, const std::string& name, const std::string& kind
     throw py::value_error(
         "a direction, (x, y) or \"normal\", belongs to a displacement, a body or a reaction, which need one");
   if (direction && word == nullptr) quantity.direction = vector_of(std::get<Pair>(*direction));
-  if (component.has_value() != (quantity.kind == stress))
-    throw py::value_error("a component (xx, yy, xy or mean) belongs to a stress, which needs one");
-  if (component) quantity.component = option_of<scene::StressComponent>(*component, "component");
+  if (component.has_value() != (quantity.kind == stress) && !(component && quantity.kind == force))
+    throw py::value_error(
+        "a component belongs to a stress, which needs one (xx, yy, xy or mean), or a force (normal or shear)");
+  if (component && quantity.kind == force)
+    quantity.of_force = option_of<scene::ForceComponent>(*component, "component");
+  else if (component)
+    quantity.component = option_of<scene::StressComponent>(*component, "component");
   if (stretch) quantity.stretch = scene::LineStretch{(*stretch)[0], (*stretch)[1]};
   if (!weight.is_none()) quantity.weight = function_of(weight, "weight");
   quantity.target = target;
@@ -230,9 +234,10 @@ void add_parts(py::class_<Scene>& scene) {
            py::arg("weight") = none, py::arg("target") = 0.0, py::arg("absolute") = 0.0,
            "An interval for what you ask.\n\n"
            "kind, of: \"displacement\", \"rotation\" or \"reaction\" of a boundary part; \"body\", its mean\n"
-           "displacement, or \"stress\", its mean, of a body; \"force\" or \"opening\" of a contact, by its name or\n"
-           "its first part; \"energy\". direction: (x, y) or \"normal\", of displacement, body and reaction.\n"
-           "component: \"xx\", \"yy\", \"xy\" or \"mean\", of stress. stretch: (from, to) by arc length, or weight:\n"
+           "displacement, or \"stress\", its mean, of a body; \"force\", \"opening\" or \"slip\" of a contact, by its\n"
+           "name or its first part; \"energy\". direction: (x, y) or \"normal\", of displacement, body and reaction.\n"
+           "component: \"xx\", \"yy\", \"xy\" or \"mean\", of stress; \"shear\", of force. stretch: (from, to) by arc "
+           "length, or weight:\n"
            "a function, of force and opening. target, absolute: width to reach, relative or in the quantity's units.");
 }
 

@@ -47,7 +47,7 @@ std::vector<Finding> of_contact(const Report& report, int pair, const Units& uni
     return rows.emplace_back(Finding{Subject::contact, pair, name_of(given), key, computed, unit});
   };
   add("force", summary.force, units.force).bounds = asked_for(report, [&](const auto& asked, const auto& found) {
-    return asked.kind == scene::QuantityKind::force && found.contact == pair && !asked.stretch && !asked.weight;
+    return is_pressing_force(asked) && found.contact == pair && !asked.stretch && !asked.weight;
   });
   add("length", summary.length, units.length);
   add("pressed_length", summary.pressed_length, units.length);
@@ -58,7 +58,10 @@ std::vector<Finding> of_contact(const Report& report, int pair, const Units& uni
   if (scene::is_two_sided(given)) add("largest_tension", summary.largest_tension, units.stress);
   if (given.law == scene::Law::winkler) add("largest_shortening", summary.largest_shortening, units.length);
   if (given.law == scene::Law::tresca || given.law == scene::Law::coulomb) {
-    add("shear_force", summary.shear, units.force);
+    add("shear_force", summary.shear, units.force).bounds =
+        asked_for(report, [&](const auto& asked, const auto& found) {
+          return asked.of_force == scene::ForceComponent::shear && found.contact == pair;
+        });
     add("largest_slip", summary.largest_slip, units.length);
   }
   if (is_guaranteed(report) && given.law != scene::Law::winkler) {

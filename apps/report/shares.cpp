@@ -18,14 +18,14 @@ using scene::Enclosure;
 bool is_stretch(const Report& report, std::size_t quantity) {
   if (report.outcome.quantities[quantity].zone >= 0) return true;
   const auto& asked = report.scene.quantities[quantity];
-  return asked.kind == scene::QuantityKind::force && asked.stretch;
+  return is_pressing_force(asked) && asked.stretch;
 }
 
 bool is_total(const Report& report, std::size_t quantity, int contact) {
   const QuantityInterval& one = report.outcome.quantities[quantity];
   if (one.zone >= 0 || one.contact != contact || one.weighted) return false;
   const auto& asked = report.scene.quantities[quantity];
-  return asked.kind == scene::QuantityKind::force && !asked.stretch && !asked.weight;
+  return is_pressing_force(asked) && !asked.stretch && !asked.weight;
 }
 
 /// On an arc each mesh is a problem of its own.

@@ -83,7 +83,8 @@ std::string unit_of(const scene::Quantity<2>& quantity, const Units& units) {
   switch (quantity.kind) {
     case scene::QuantityKind::displacement:
     case scene::QuantityKind::body:
-    case scene::QuantityKind::opening: return units.length;
+    case scene::QuantityKind::opening:
+    case scene::QuantityKind::slip: return units.length;
     case scene::QuantityKind::rotation: return units.angle;
     case scene::QuantityKind::force:
     case scene::QuantityKind::reaction: return units.force;

@@ -187,9 +187,11 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>&
       for (int k = 0; k <= degree; ++k) shear[k] = (shear[k] + across[degree - k]) / 2;
     }
     const auto bound = shear_bound<Enclosure>(problem, contacts, pair, degree);
+    const auto [shear0, shear1] = shear_load<double>(problem, pair);
     for (int k = 0; k <= degree; ++k) {
       const double most = std::max(0.0, lower(bound[k]));
-      shear[k] = std::clamp(-shear[k], -most, most);
+      const double given = problem.perturbed.loads * scene::linear_coefficient<double>(shear0, shear1, degree, k);
+      shear[k] = std::clamp(given - shear[k], -most, most);
     }
   }
   drop_noise(problem, loads);

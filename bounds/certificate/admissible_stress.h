@@ -126,7 +126,13 @@ template <class Number> void spread_loads(const scene::Problem<2>& problem, Edge
     if (pair.second >= 0) along(pair.second, load);  // its normal is the opposite
     if (loads.along_tangent[pair.first].empty()) continue;
     std::vector<Number> shear;
-    for (const Number& coefficient : loads.along_tangent[pair.first]) shear.push_back(-coefficient);
+    const auto [shear0, shear1] = shear_load<Number>(problem, pair);
+    for (int k = 0; k <= loads.degree; ++k) {
+      shear.push_back(-loads.along_tangent[pair.first][k]);
+      if (problem.perturbed.by)
+        shear[k] +=
+            Number(problem.perturbed.loads) * scene::linear_coefficient<Number>(shear0, shear1, loads.degree, k);
+    }
     add_shear(pair.first, shear);
     std::reverse(shear.begin(), shear.end());
     if (pair.second >= 0) add_shear(pair.second, shear);
@@ -287,6 +293,7 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
     const std::vector<Number>& pressure = loads.along_normal[pair.first];
     energy.add(scene::bernstein_product(pressure, gap_paid<Number>(problem, contacts, pair, 2)));
     if (scene::has_springs(pair.law)) energy.add(compliance_energy(problem, contacts, pair, pressure));
+    if (scene::has_friction(pair.law)) energy.add(friction_paid(problem, pair, loads.along_tangent[pair.first]));
   }
   return energy.value();
 }

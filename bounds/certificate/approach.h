@@ -178,6 +178,31 @@ std::vector<Number> slip_on(const scene::Problem<2>& problem, const Supports& su
                            approach_at_ends<Number>(problem.mesh, supports, field, pair, t));
 }
 
+/// What friction sees of it: v_t − f ψ_t.
+template <class Number>
+std::vector<Number> rubbing_on(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                               const scene::ContactFacet& pair) {
+  std::vector<Number> slip = slip_on<Number>(problem, supports, field, pair);
+  if (problem.perturbed.kinematics == 0) return slip;
+  const auto psi = scene::raised_to<Number>(static_cast<int>(slip.size()) - 1, perturbing_slip<Number>(problem, pair));
+  for (std::size_t k = 0; k < slip.size(); ++k) slip[k] -= Number(problem.perturbed.kinematics) * psi[k];
+  return slip;
+}
+
+/// What pairs of forces of a perturbation do on a contact facet, as they are, without their factor.
+template <class Number>
+Number contact_load_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                         const scene::ContactFacet& pair) {
+  const auto [open0, open1] = opening_load<Number>(problem, pair);
+  Number work =
+      scene::bernstein_product(std::vector<Number>{open0, open1}, approach_on<Number>(problem, supports, field, pair));
+  if (!scene::has_friction(pair.law)) return work;
+  const auto [shear0, shear1] = shear_load<Number>(problem, pair);
+  work +=
+      scene::bernstein_product(std::vector<Number>{shear0, shear1}, slip_on<Number>(problem, supports, field, pair));
+  return work;
+}
+
 /// What is to be added, along d, to offset k of the first side of sides that keep together, and taken off that of the
 /// second: as a factor of d.
 template <class Number>

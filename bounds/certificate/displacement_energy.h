@@ -196,10 +196,7 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const Support
   }
   for (const auto& pair : problem.contact) {
     if (!problem.perturbed.by) break;
-    const Number factor(problem.perturbed.loads);
-    const auto [at0, at1] = opening_load<Number>(problem, pair);
-    work.add(factor * scene::bernstein_product(std::vector<Number>{at0, at1},
-                                               approach_on<Number>(problem, supports, field, pair)));
+    work.add(Number(problem.perturbed.loads) * contact_load_work<Number>(problem, supports, field, pair));
   }
   const Number half_a = strain.value();
   FieldEnergy<Number> energy{half_a, half_a - work.value()};

@@ -37,16 +37,12 @@ Number perturbing_work(const scene::Problem<2>& problem, const Supports& support
     add_corrections(problem, corrections, facet, load.linear);
     work.add(facet_work<Number>(mesh, field, all, facet, load));
   }
-  for (const auto& pair : problem.contact) {
-    const auto [at0, at1] = opening_load<Number>(problem, pair);
-    work.add(
-        scene::bernstein_product(std::vector<Number>{at0, at1}, approach_on<Number>(problem, supports, field, pair)));
-  }
+  for (const auto& pair : problem.contact) work.add(contact_load_work<Number>(problem, supports, field, pair));
   return work.value();
 }
 
-/// R(λ) = ∫_Γu λn·U (to which only the linear part of λn is not orthogonal) + ∫_Γ0 (λn)_n U_n − ∫_ΓK p ψ. \param loads
-/// balanced
+/// R(λ) = ∫_Γu λn·U (to which only the linear part of λn is not orthogonal) + ∫_Γ0 (λn)_n U_n −
+/// ∫_ΓK (p ψ + τ ψ_t). \param loads balanced
 template <class Number, class Sum>
 Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
   const auto& mesh = problem.mesh;
@@ -73,6 +69,8 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
       psi = scene::on_stretch(kept_psi<Number>(contacts.kept[by.contact_of[piece.of]]), piece.corner[0][0],
                               piece.corner[1][0]);
     sum.add(-scene::bernstein_product(loads.along_normal[pair.first], std::vector<Number>(psi.begin(), psi.end())));
+    if (scene::has_friction(pair.law))
+      sum.add(-scene::bernstein_product(loads.along_tangent[pair.first], perturbing_slip<Number>(problem, pair)));
   }
   return sum.value();
 }
@@ -81,8 +79,8 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
 /// κ has but ∫ p (g + s − r), s what they are shortened by.
 enum class Springs { of_law, as_bodies };
 
-/// κ = ∫ [φ(r) + φ*(p) − p r − τ v_t] with the laws' energies from above: without a law ∫ p (g − r(v)), g the upper
-/// gap.
+/// κ = ∫ [φ(r, v_t) + φ*(p, τ) − p r − τ v_t] with the laws' energies from above: without a law ∫ p (g − r(v)), g the
+/// upper gap; friction's share is of v_t − f ψ_t.
 template <class Number, class Sum>
 Number contact_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                     const EdgeLoads<Number>& loads, Springs springs = Springs::of_law) {
@@ -106,8 +104,8 @@ Number contact_work(const scene::Problem<2>& problem, const Supports& supports, 
     sum.add(law_energy<Number>(problem, supports, field, pair));
     sum.add(compliance_energy(problem, supports.contacts, pair, pressure));
     if (scene::has_friction(pair.law))
-      sum.add(
-          -scene::bernstein_product(loads.along_tangent[pair.first], slip_on<Number>(problem, supports, field, pair)));
+      sum.add(-scene::bernstein_product(loads.along_tangent[pair.first],
+                                        rubbing_on<Number>(problem, supports, field, pair)));
   }
   return sum.value();
 }

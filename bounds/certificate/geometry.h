@@ -178,18 +178,28 @@ inline bool has_perturbing_load(const scene::Problem<2>& problem, int facet) {
   const auto& by = problem.perturbed.by;
   return by && is_loaded(by->facets[scene::piece_of_facet(problem, facet).of]);
 }
-/// What it has on a contact facet along d on the first side, against it on the second, at the first facet's vertices.
+/// What it has on a contact facet along d or t on the first side, against it on the second, at the first facet's
+/// vertices.   \param which opening or shear
 template <class Number>
-std::array<Number, 2> opening_load(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+std::array<Number, 2> contact_load(const scene::Problem<2>& problem, const scene::ContactFacet& pair,
+                                   std::array<double, 2> scene::Perturbation<2>::Contact::*which) {
   const auto& by = problem.perturbed.by;
   if (!by) return {Number(0), Number(0)};
   const auto [of, corner] = scene::piece_of_facet(problem, pair.first);
-  const auto& [a, b] = by->contact[by->contact_of[of]].opening;
+  const auto& [a, b] = by->contact[by->contact_of[of]].*which;
   if (a == 0 && b == 0) return {Number(0), Number(0)};
   const Vector2<Number> e = along<Number>(problem, pair.first);
   const Number length = root(dot(e, e));
   return {length * between_ends(Number(a), Number(b), corner[0][0]),
           length * between_ends(Number(a), Number(b), corner[1][0])};
+}
+template <class Number>
+std::array<Number, 2> opening_load(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  return contact_load<Number>(problem, pair, &scene::Perturbation<2>::Contact::opening);
+}
+template <class Number>
+std::array<Number, 2> shear_load(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  return contact_load<Number>(problem, pair, &scene::Perturbation<2>::Contact::shear);
 }
 
 /// The prescribed load of a facet of Γ_τ but for corrections: those of the first mesh's facet, on its piece.

@@ -102,6 +102,16 @@ template <class Number> std::array<Number, 3> kept_gap(const KeptGap& gap) {
   return c;
 }
 
+/// ψ_t on a facet of a perturbed problem's mesh.
+template <class Number>
+std::vector<Number> perturbing_slip(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  const scene::Piece<1> piece = scene::piece_of_facet(problem, pair.first);
+  const auto& by = *problem.perturbed.by;
+  const auto psi =
+      scene::psi_of_slip<Number>(by.contact[by.contact_of[piece.of]], problem.facets[pair.first].normal, piece);
+  return {psi.begin(), psi.end()};
+}
+
 /// The same on a two-sided facet of the problem's mesh.
 template <class Number>
 std::array<Number, 3> kept_gap(const scene::Problem<2>& problem, const FirstContacts& contacts,

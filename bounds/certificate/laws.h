@@ -78,7 +78,7 @@ template <class Number> Number absolute_integral(const std::array<Number, 2>& g,
   return scene::bernstein_product(std::vector<Number>{g[0], g[1]}, c);
 }
 
-/// ∫ φ over a contact facet, not below: of springs ½ ∫ k s² with s ≥ r − g, of friction ∫ g_T |v_t|.
+/// ∫ φ over a contact facet, not below: of springs ½ ∫ k s² with s ≥ r − g, of friction ∫ g_T |v_t − f ψ_t|.
 template <class Number>
 Number law_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                   const scene::ContactFacet& pair) {
@@ -87,7 +87,7 @@ Number law_energy(const scene::Problem<2>& problem, const Supports& supports, co
   const LawOn<Number> law = law_on<Number>(problem, supports.contacts, pair);
   if (scene::has_friction(pair.law))
     sum += law.length *
-           absolute_integral(law.friction, slip_on<Number>(problem, supports, field, pair), scene::halvings_of_slip);
+           absolute_integral(law.friction, rubbing_on<Number>(problem, supports, field, pair), scene::halvings_of_slip);
   if (scene::has_springs(pair.law)) {
     const std::vector<Number> k = {law.modulus[0], law.modulus[1]};
     const std::vector<Number> s = springs_shortened(problem, supports, field, pair, law.modulus);
@@ -103,6 +103,14 @@ std::vector<Number> gap_paid(const scene::Problem<2>& problem, const FirstContac
   if (!pair.law.two_sided) return gap_on<Number>(pair.upper, degree);
   const auto gap = kept_gap<Number>(problem, contacts, pair);
   return scene::raised_to<Number>(degree, std::vector<Number>(gap.begin(), gap.end()));
+}
+
+/// What friction has of ∫ φ*: f ∫ τ ψ_t.   \param shear per unit of the facet's parameter
+template <class Number>
+Number friction_paid(const scene::Problem<2>& problem, const scene::ContactFacet& pair,
+                     const std::vector<Number>& shear) {
+  if (!scene::has_friction(pair.law) || problem.perturbed.kinematics == 0) return Number(0);
+  return Number(problem.perturbed.kinematics) * scene::bernstein_product(shear, perturbing_slip<Number>(problem, pair));
 }
 
 /// What springs have of ∫ φ*, not below: ½ ∫ p² C. \param pressure per unit of the facet's parameter

@@ -30,8 +30,8 @@ bool is_finite(const scene::Perturbation<2>& by) {
                                       each_finite(facet.displacement) && each_finite(facet.normal_displacement);
                              }) &&
          std::ranges::all_of(by.contact, [](const auto& contact) {
-           return each_finite(contact.gap) && each_finite(contact.opening) && each_finite(contact.first) &&
-                  each_finite(contact.second);
+           return each_finite(contact.gap) && each_finite(contact.slip) && each_finite(contact.opening) &&
+                  each_finite(contact.shear) && each_finite(contact.first) && each_finite(contact.second);
          });
 }
 
@@ -49,6 +49,12 @@ std::string perturbation_fault(const Problem<2>& problem) {
   for (std::size_t f = 0; f < first.facets.size(); ++f) {
     if (is_loaded(by->facets[f]) && first.facets[f].support != Support::traction)
       return fmt::format("the perturbation loads boundary facet {}, which is supported or in contact", f);
+  }
+  for (std::size_t j = 0; j < first.contact.size(); ++j) {
+    const auto& [a, b] = by->contact[j].shear;
+    if ((a != 0 || b != 0) && !has_friction(first.contact[j].law))
+      return fmt::format("the perturbation shears the contact of boundary facet {}, which has no friction",
+                         first.contact[j].first);
   }
   for (const auto& [ends, begins] : facets_that_meet(first.mesh)) {
     if (ends < 0 || begins < 0) continue;

@@ -153,7 +153,7 @@ std::string contact_fault(const Problem<2>& problem) {
   return "";
 }
 
-/// What acts on a contact line beside its pressure is a perturbation's opening load, and nothing else.
+/// What acts on a contact line beside pressure and friction are a perturbation's pairs of forces, and nothing else.
 std::string load_fault(const Problem<2>& first) {
   for (std::size_t f = 0; f < first.facets.size(); ++f)
     if (first.facets[f].support == Support::contact && scene::is_loaded(first.facets[f]))

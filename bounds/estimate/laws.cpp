@@ -13,7 +13,7 @@ using scene::Vector;
 template <int dim>
 std::vector<double> plain_shear(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                 const ContactFacetOf<dim>& pair) {
-  return along<dim>(tractions(problem.mesh, stress, pair.first), -scene::tangent(problem.facets[pair.first].normal));
+  return along<dim>(contact_tractions(problem, stress, pair), -scene::tangent(problem.facets[pair.first].normal));
 }
 
 template <>
@@ -35,6 +35,16 @@ std::vector<double> jump(const scene::Problem<2>& problem, const scene::Displace
     result[k] +=
         scene::linear_coefficient<double>(ends[0].dot(direction), ends[1].dot(direction), displacement.degree, k);
   return scene::raised_to<double>(2, result);
+}
+
+template <int dim>
+std::vector<double> rubbing(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                            const ContactFacet& pair) {
+  auto slip = jump<dim>(problem, displacement, pair, scene::tangent(problem.facets[pair.first].normal));
+  const auto unseen = scene::raised_to<double>(static_cast<int>(slip.size()) - 1,
+                                               std::vector<double>(pair.slip.begin(), pair.slip.end()));
+  for (std::size_t k = 0; k < slip.size(); ++k) slip[k] -= unseen[k];
+  return slip;
 }
 
 template <int dim>
@@ -79,7 +89,6 @@ std::vector<double> springs_shortened(const scene::Problem<dim>& problem, const 
 template <int dim>
 double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                   const ContactFacetOf<dim>& pair) {
-  const Vector<dim>& d = problem.facets[pair.first].normal;
   const double length = scene::length(problem.mesh, pair.first);
   double energy = 0;
   if (has_springs(pair.law)) {
@@ -88,18 +97,21 @@ double law_energy(const scene::Problem<dim>& problem, const scene::Displacement<
     energy +=
         0.5 * length * scene::bernstein_product(scene::bernstein_times<double>(s, s), std::vector<double>{k0, k1});
   }
-  if (has_friction(pair.law))
-    energy += length * mean_of_size(jump<dim>(problem, displacement, pair, scene::tangent(d)), pair.law.friction);
+  if (has_friction(pair.law)) energy += length * mean_of_size(rubbing(problem, displacement, pair), pair.law.friction);
   return energy;
 }
 
 template <int dim>
 double law_complementary_energy(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                 const ContactFacetOf<dim>& pair) {
+  const double length = scene::length(problem.mesh, pair.first);
+  if (has_friction(pair.law))
+    return length * scene::bernstein_product(plain_shear(problem, stress, pair),
+                                             std::vector<double>(pair.slip.begin(), pair.slip.end()));
   if (!has_springs(pair.law)) return 0;
   const auto p = plain_pressure(problem, stress, pair);
   const auto c = scene::compliance_on<double>(pair.law.modulus[0], pair.law.modulus[1]);
-  return 0.5 * scene::length(problem.mesh, pair.first) *
+  return 0.5 * length *
          scene::bernstein_product(scene::bernstein_times<double>(p, p), std::vector<double>(c.begin(), c.end()));
 }
 
@@ -114,6 +126,7 @@ template <int dim> std::vector<char> with_friction(const scene::Problem<dim>& pr
 }
 
 template std::vector<double> plain_shear(const scene::Problem<2>&, const scene::Stress<2>&, const ContactFacet&);
+template std::vector<double> rubbing(const scene::Problem<2>&, const scene::Displacement<2>&, const ContactFacet&);
 template ShearAndSlip shear_and_slip(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&,
                                      const ContactFacet&);
 template std::vector<double> springs_shortened(const scene::Problem<2>&, const scene::Displacement<2>&,

@@ -64,14 +64,19 @@ std::vector<Vector<dim>> tractions(const scene::Mesh<dim>& mesh, const scene::St
 }
 
 template <int dim>
+std::vector<Vector<dim>> contact_tractions(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                           const scene::ContactFacet& pair) {
+  auto t = tractions(problem.mesh, stress, pair.first);
+  if (!scene::is_loaded(problem.facets[pair.first])) return t;
+  const auto load = coefficients(scene::load(problem, pair.first), stress.degree);
+  for (std::size_t k = 0; k < t.size(); ++k) t[k] -= load[k] / scene::length(problem.mesh, pair.first);
+  return t;
+}
+
+template <int dim>
 std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                    const scene::ContactFacetOf<dim>& pair) {
-  auto t = tractions(problem.mesh, stress, pair.first);
-  if (scene::is_loaded(problem.facets[pair.first])) {
-    const auto load = loads(problem, pair.first, stress.degree);
-    for (std::size_t k = 0; k < t.size(); ++k) t[k] -= load[k] / scene::length(problem.mesh, pair.first);
-  }
-  return along<dim>(t, -problem.facets[pair.first].normal);
+  return along<dim>(contact_tractions(problem, stress, pair), -problem.facets[pair.first].normal);
 }
 
 template <int dim> double largest_at_vertices(const scene::Displacement<dim>& displacement) {
@@ -105,6 +110,10 @@ template std::vector<Vector<2>> on_facet(const scene::Mesh<2>&, const scene::Dis
 template std::vector<Vector<3>> on_facet(const scene::Mesh<3>&, const scene::Displacement<3>&, int);
 template std::vector<Vector<2>> tractions(const scene::Mesh<2>&, const scene::Stress<2>&, int);
 template std::vector<Vector<3>> tractions(const scene::Mesh<3>&, const scene::Stress<3>&, int);
+template std::vector<Vector<2>> contact_tractions(const scene::Problem<2>&, const scene::Stress<2>&,
+                                                  const scene::ContactFacet&);
+template std::vector<Vector<3>> contact_tractions(const scene::Problem<3>&, const scene::Stress<3>&,
+                                                  const scene::ContactFacetOf<3>&);
 template std::vector<double> plain_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
                                             const scene::ContactFacet&);
 template std::vector<double> plain_pressure(const scene::Problem<3>&, const scene::Stress<3>&,

@@ -66,8 +66,12 @@ std::vector<double> along(const std::vector<scene::Vector<dim>>& coefficients, c
   return result;
 }
 
-/// The pressure of λ_h on a contact facet, likewise, as computed: what λ_h n has along d beside the loads of a
-/// perturbed problem. The gap identity needs it as it is.
+/// λ_h n on the first side of a contact facet, likewise, beside the loads of a perturbed problem.
+template <int dim>
+std::vector<scene::Vector<dim>> contact_tractions(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
+                                                  const scene::ContactFacetOf<dim>& pair);
+
+/// The pressure there, likewise, as computed. The gap identity needs it as it is.
 template <int dim>
 std::vector<double> plain_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                                    const scene::ContactFacetOf<dim>& pair);
@@ -87,6 +91,11 @@ std::vector<double> jump(const scene::Problem<2>& problem, const scene::Displace
 template <>
 std::vector<double> jump(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
                          const scene::ContactFacetOf<3>& pair, const scene::Vector<3>& direction);
+
+/// What friction sees of v_t(u_h) there, likewise: all but ContactFacet::slip.
+template <int dim>
+std::vector<double> rubbing(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
+                            const scene::ContactFacet& pair);
 
 /// g − r(u_h) there, likewise, g as S pays for it.
 template <int dim>

@@ -70,7 +70,9 @@ Functionals<dim> functionals(const scene::Scene<dim>& scene, const scene::Proble
     case scene::QuantityKind::displacement: return mean_displacement(first, quantity);
     case scene::QuantityKind::body: return body_displacement(first, quantity);
     case scene::QuantityKind::rotation: return rotation(first, quantity);
-    case scene::QuantityKind::force: return contact_force(scene, first, quantity);
+    case scene::QuantityKind::force:
+      return is_pressing_force(quantity) ? contact_force(scene, first, quantity) : shear_force(scene, first, quantity);
+    case scene::QuantityKind::slip: return mean_slip(scene, first, quantity);
     case scene::QuantityKind::opening: return opening(scene, problem, quantity);
     case scene::QuantityKind::reaction: return reaction(first, quantity);
     case scene::QuantityKind::stress: return mean_stress(first, quantity);

@@ -50,6 +50,19 @@ double springs_square(const scene::Problem<dim>& problem, const scene::ContactFa
           scene::bernstein_product(p, s));
 }
 
+/// ∫ g_T (|w₁| + |w₂|) − 2 ∫ g_T |½ (w₁ + w₂)| ≥ 0 over a contact facet, w what friction sees of the slip in the two
+/// perturbed problems: of a slip that turns between them.
+template <int dim>
+double what_friction_adds(const scene::Problem<dim>& problem, const std::array<scene::Problem<dim>, 2>& of,
+                          std::size_t facet, const std::array<scene::Displacement<dim>, 2>& displacement) {
+  if (!scene::has_friction(problem.contact[facet].law)) return 0;
+  std::array<Coefficients, 2> w;
+  for (int i = 0; i < 2; ++i) w[i] = rubbing(of[i], displacement[i], of[i].contact[facet]);
+  const auto& [first, law] = std::pair(problem.contact[facet].first, problem.contact[facet].law);
+  return scene::length(problem.mesh, first) * (mean_of_size(w[0], law.friction) + mean_of_size(w[1], law.friction) -
+                                               2 * mean_of_size(combined(w[0], w[1], 1), law.friction));
+}
+
 /// Adds the contact facets' shares of A and B. Springs are bodies: s of the means is the mean of the two, as s ≥ r − g
 /// of both is that of the mean.   \param contact shares of κ of the means   \param of the two perturbed problems
 template <int dim>
@@ -72,7 +85,7 @@ void add_contact(const scene::Problem<dim>& problem, const std::array<scene::Pro
           2 * scene::length(problem.mesh, facet.first) * scene::bernstein_product(mean, combined(left[0], left[1], 1));
       of_difference = springs_square(problem, facet, combined(s[0], s[1], -1), combined(p[0], p[1], -1));
     } else {
-      pair.of_means += 2 * contact[j];
+      pair.of_means += 2 * contact[j] + what_friction_adds(problem, of, j, pair.displacement);
     }
     pair.of_differences += of_difference;
     pair.of_contact_difference.push_back(of_difference);

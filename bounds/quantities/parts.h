@@ -35,6 +35,12 @@ Functionals<2> reaction(const scene::Problem<2>& first, const scene::Quantity<2>
 /// J = ∫ p w, for p ≥ 0 between those of weights below and above.
 Functionals<2> contact_force(const scene::Scene<2>& scene, const scene::Problem<2>& first,
                              const scene::Quantity<2>& quantity);
+/// J = ∫ τ over a contact.
+Functionals<2> shear_force(const scene::Scene<2>& scene, const scene::Problem<2>& first,
+                           const scene::Quantity<2>& quantity);
+/// J = ∫ v_t over a contact, by its length.
+Functionals<2> mean_slip(const scene::Scene<2>& scene, const scene::Problem<2>& first,
+                         const scene::Quantity<2>& quantity);
 /// J = −∫ w r; the opening is ∫ w g more.
 Functionals<2> opening(const scene::Scene<2>& scene, const scene::Problem<2>& problem,
                        const scene::Quantity<2>& quantity);

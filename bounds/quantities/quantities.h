@@ -24,7 +24,7 @@ struct QuantityLevel {
 struct QuantityInterval {
   std::string name;
   scene::QuantityKind kind = scene::QuantityKind::energy;
-  int contact = -1;       ///< of a force or an opening: index into Scene::contact
+  int contact = -1;       ///< of a force, an opening or a slip: index into Scene::contact
   int zone = -1;          ///< which of the contact's zones it is the force of; −1: asked for by name
   bool weighted = false;  ///< near an end where supports or contacts meet its weight falls to zero
   /// Levels intersected where they are one problem, else the last. Infinite: no bound on that side.

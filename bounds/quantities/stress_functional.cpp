@@ -50,15 +50,9 @@ Functionals<2> mean_stress(const Problem<2>& first, const Quantity<2>& quantity)
   Perturbation<2> perturbation = scene::no_perturbation(first);
   LongSum known;
   const std::vector<int> by_first = scene::contacts_by_first(first);
-  std::vector<char> rubs(first.facets.size(), 0);
-  for (const auto& pair : first.contact)
-    for (const int side : {pair.first, pair.second})
-      if (side >= 0) rubs[side] = has_friction(pair.law);
   for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
     if (mesh.cell_component[mesh.boundary[f].cell] != component) continue;
     std::array<TwofoldVector<2>, 2> u;
-    if (rubs[f])
-      refuse(quantity, "friction acts on the body: the shear that it carries is not part of this functional");
     for (int i = 0; i < 2; ++i)
       u[i] = times(quantity.component, scene::difference<2>(centre, mesh.vertices[mesh.boundary[f].vertices[i]]));
     perturbation.facets[f].displacement = u;

@@ -119,9 +119,14 @@ Problem<dim> perturbed(const Problem<dim>& problem, std::shared_ptr<const Pertur
       pair.lower[i] = lower(Enclosure(pair.lower[i]) + Enclosure(kinematics) * gap[i]);
       pair.upper[i] = upper(Enclosure(pair.upper[i]) + Enclosure(kinematics) * gap[i]);
     }
+    if constexpr (dim == 2) {
+      const auto slip = psi_of_slip<double>(added, d, piece);
+      for (int i = 0; i < 3 && has_friction(pair.law); ++i) pair.slip[i] += kinematics * slip[i];
+    }
     const double width = pair.second < 0 ? 1 : length(result.mesh, pair.first) / length(result.mesh, pair.second);
     for (int i = 0; i < dim; ++i) {
-      const Vector<dim> load = loads * at_point(added.opening, piece.corner[i]) * d;
+      Vector<dim> load = loads * at_point(added.opening, piece.corner[i]) * d;
+      if constexpr (dim == 2) load += loads * between_ends(added.shear, piece.corner[i][0]) * tangent(d);
       result.facets[pair.first].traction[i] += load;
       if (pair.second >= 0) result.facets[pair.second].traction[pair.meets[i]] -= width * load;
     }

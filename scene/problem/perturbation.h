@@ -31,9 +31,10 @@ template <int dim> struct TwofoldVector {
 /// b − a   \pre no overflow
 template <int dim> TwofoldVector<dim> difference(const Vector<dim>& a, const Vector<dim>& b);
 
-/// Loads (F_q, P_q) and kinematics (U, U_n, ψ) on a first mesh, as exact as its own data and linear or quadratic on its
-/// facets as those are. They make up the functional
-///     J = ∫ F_q·u + ∫ P_q·u + ∫_Γu σn·U + ∫_Γ0 (σn)_n U_n − ∫_ΓK p ψ.
+/// Loads (F_q, P_q) and kinematics (U, U_n, ψ, ψ_t) on a first mesh, as exact as its own data and linear or quadratic
+/// on its facets as those are. They make up the functional
+///     J = ∫ F_q·u + ∫ P_q·u + ∫_Γu σn·U + ∫_Γ0 (σn)_n U_n − ∫_ΓK (p ψ + τ ψ_t).
+/// P_q may act on Γ_K in pairs, by which J is of r and v_t, too (scene/problem/law.h).
 template <int dim> struct Perturbation {
   struct Facet {
     /// At the vertices, on Γ_τ: force per area, and in addition a pressure that acts against the facet's own normal.
@@ -49,11 +50,15 @@ template <int dim> struct Perturbation {
   };
   /// On a contact facet, seen from the first one.
   struct Contact {
-    FacetQuadratic<dim> gap = {};  ///< of ψ; in addition to it …
-    std::array<TwofoldVector<dim>, dim> first = at_vertices<dim>(TwofoldVector<dim>{});  ///< … U·d of the first side
-    std::array<TwofoldVector<dim>, dim> second = at_vertices<dim>(TwofoldVector<dim>{});  ///< less that of the second
-    /// Forces per area along d on the first side, the opposite on the second: they do the work of r.
+    FacetQuadratic<dim> gap = {};  ///< of ψ, …
+    FacetQuadratic<dim> slip =
+        {};  ///< … and, planar, of ψ_t, of which friction sees what is left of v_t; in addition …
+    std::array<TwofoldVector<dim>, dim> first =
+        at_vertices<dim>(TwofoldVector<dim>{});  ///< … U·d, U·t of the first side
+    std::array<TwofoldVector<dim>, dim> second = at_vertices<dim>(TwofoldVector<dim>{});  ///< less those of the second
+    /// Forces per area along d on the first side, the opposite on the second: they do the work of r; …
     std::array<double, dim> opening = at_vertices<dim>(0.0);
+    std::array<double, dim> shear = at_vertices<dim>(0.0);  ///< … planar, along t, of v_t; where there is friction only
     bool operator==(const Contact&) const = default;
   };
   std::vector<Vector<dim>> force;  ///< per volume, as Mesh::bodies

@@ -116,6 +116,7 @@ template Strategy choice<Strategy>(const toml::node&, const std::string&);
 template Dual choice<Dual>(const toml::node&, const std::string&);
 template Law choice<Law>(const toml::node&, const std::string&);
 template StressComponent choice<StressComponent>(const toml::node&, const std::string&);
+template ForceComponent choice<ForceComponent>(const toml::node&, const std::string&);
 
 const toml::table& table(const toml::node& node, const std::string& name) {
   const toml::table* value = node.as_table();

@@ -32,6 +32,8 @@ template <int dim> std::string description(const Quantity<dim>& quantity) {
     case QuantityKind::energy: return "strain energy";
     case QuantityKind::body: return "displacement of " + quantity.of;
     case QuantityKind::stress: return fmt::format("stress {} of {}", name(quantity.component), quantity.of);
+    case QuantityKind::force:
+      return (quantity.of_force == ForceComponent::shear ? "shear force of " : "force of ") + quantity.of;
     default: return fmt::format("{} of {}", name(quantity.kind), quantity.of);
   }
 }
@@ -41,7 +43,7 @@ template <int dim> std::string description(const Quantity<dim>& quantity) {
 template <int dim> Quantity<dim> read_quantity(const toml::table& entry) {
   const std::string called = "quantity";
   check_keys(entry, "[[quantity]]",
-             {"displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy", "name",
+             {"displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy", "slip", "name",
               "direction", "component", "from", "to", "weight", "target", "absolute"});
   Quantity<dim> quantity;
   quantity.where = where(entry);
@@ -70,7 +72,10 @@ template <int dim> Quantity<dim> read_quantity(const toml::table& entry) {
     refuse(entry, fmt::format("quantity.{} needs a direction = [{}]{}", kind, dim == 2 ? "x, y" : "x, y, z",
                               quantity.kind == body ? "" : ", or \"normal\""));
   }
-  if (const toml::node* component = belongs("component", {stress}))
+  const toml::node* component = belongs("component", {stress, force});
+  if (component != nullptr && quantity.kind == force)
+    quantity.of_force = choice<ForceComponent>(*component, called + ".component");
+  else if (component != nullptr)
     quantity.component = choice<StressComponent>(*component, called + ".component");
   else if (quantity.kind == stress)
     refuse(entry, "quantity.stress needs a component: xx, yy, xy or mean");

@@ -76,6 +76,17 @@ QuantitiesVerdict judge_random_quantities(std::uint64_t seed, bool laws) {
   std::vector<scene::Quantity<2>> asked;
   for (int i = 0, n = 1 + static_cast<int>(index(random, 3)); i < n; ++i)
     asked.push_back(random_quantity(random, of, i));
+  for (const auto& pair : of.scene.contact) {
+    if (pair.law != scene::Law::tresca) continue;
+    for (const QuantityKind kind : {QuantityKind::force, QuantityKind::slip}) {
+      scene::Quantity<2> own;
+      own.name = fmt::format("q{}", asked.size());
+      own.kind = kind;
+      own.of = pair.first.parts.front();
+      if (kind == QuantityKind::force) own.of_force = scene::ForceComponent::shear;
+      asked.push_back(std::move(own));
+    }
+  }
   for (const auto& one : asked) {  // each alone, so that one that is refused spoils no other
     scene.quantities = {one};
     verdict.text += fmt::format("  {}: {} of '{}'\n", one.name, name(one.kind), one.of);

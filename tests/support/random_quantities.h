@@ -18,8 +18,8 @@ struct QuantitiesVerdict {
 };
 
 /// A random scene (random_scenes.h, or with laws random_laws.h) with up to three quantities of random kinds, parts,
-/// directions and weights, on three nested meshes with both degrees. Faults are intervals that cross or exclude each
-/// other, and endings that are none.
+/// directions and weights, and with the shear force and the slip of each contact with Tresca's friction, on three
+/// nested meshes with both degrees. Faults are intervals that cross or exclude each other, and endings that are none.
 QuantitiesVerdict judge_random_quantities(std::uint64_t seed, bool laws = false);
 
 }  // namespace bracket::tests

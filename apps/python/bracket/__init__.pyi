@@ -15,7 +15,7 @@ _Pair = tuple[float, float] | Sequence[float]
 _Path = str | os.PathLike[str]
 _Status = Literal["done", "budget_spent", "not_guaranteed", "ill_posed", "mesh_error", "input_error", "internal_error"]
 _Guarantee = Literal["rounding-safe", "discretisation", "none"]
-_Kind = Literal["displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy"]
+_Kind = Literal["displacement", "body", "rotation", "force", "opening", "reaction", "stress", "energy", "slip"]
 
 class Error(Exception):
     file: str | None
@@ -119,7 +119,7 @@ class Scene:
         of: str = "",
         *,
         direction: _Pair | Literal["normal"] | None = None,
-        component: Literal["xx", "yy", "xy", "mean"] | None = None,
+        component: Literal["xx", "yy", "xy", "mean", "normal", "shear"] | None = None,
         stretch: _Pair | None = None,
         weight: _Function | None = None,
         target: float = 0.0,

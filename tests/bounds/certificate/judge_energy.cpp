@@ -124,7 +124,10 @@ Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& 
     const int facet = static_cast<int>(f);
     result -= dot(load_on(problem.mesh, stress, facet), displacement_on(problem.mesh, u, facet)).mean();
   }
-  for (const auto& pair : problem.contact) result += (pressure(problem, stress, pair) * gap(problem, pair)).mean();
+  for (const auto& pair : problem.contact) {
+    result += (pressure(problem, stress, pair) * gap(problem, pair)).mean();
+    if (scene::has_friction(pair.law)) result += (shear(problem, stress, pair) * gap_of(pair.slip)).mean();
+  }
   return result;
 }
 

@@ -128,15 +128,22 @@ inline Polynomial gap(const scene::Problem<2>& problem, const scene::ContactFace
          Polynomial::monomial(2, {0, 2, 0}, c[2]);
 }
 
-/// (u' − u'')·t likewise, and τ, per unit of the parameter as p is.
+/// What friction sees of (u' − u'')·t likewise, and τ, per unit of the parameter as p is.
 inline Polynomial slip(const scene::Problem<2>& problem, const ExactDisplacement& u, const scene::ContactFacet& pair) {
   const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
   const Polynomial v = dot(displacement_on(problem.mesh, u, pair.first), t);
-  return pair.second < 0 ? v : v - dot(displacement_on(problem.mesh, u, pair.second), t).reversed();
+  const Polynomial seen = v - gap_of(pair.slip);
+  return pair.second < 0 ? seen : seen - dot(displacement_on(problem.mesh, u, pair.second), t).reversed();
+}
+/// λn of the first side beside the loads of a perturbed problem.
+inline Field contact_load_on(const scene::Problem<2>& problem, const ExactStress& stress,
+                             const scene::ContactFacet& pair) {
+  const Field load = load_on(problem.mesh, stress, pair.first);
+  return scene::is_loaded(problem.facets[pair.first]) ? load - traction_on(problem, {}, pair.first) : load;
 }
 inline Polynomial shear(const scene::Problem<2>& problem, const ExactStress& stress, const scene::ContactFacet& pair) {
   const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
-  return (Exact(-1) / dot(t, t)) * dot(load_on(problem.mesh, stress, pair.first), t);
+  return (Exact(-1) / dot(t, t)) * dot(contact_load_on(problem, stress, pair), t);
 }
 inline Exact length_of(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
   const auto& [a, b] = problem.mesh.boundary[pair.first].vertices;
@@ -150,10 +157,7 @@ inline Polynomial linear_on(const std::array<double, 2>& ends) {
 inline Polynomial pressure(const scene::Problem<2>& problem, const ExactStress& stress,
                            const scene::ContactFacet& pair) {
   const Point d = vector2<Exact>(problem.facets[pair.first].normal);
-  Field load = load_on(problem.mesh, stress, pair.first);
-  if (scene::is_loaded(problem.facets[pair.first]))  // of a perturbed problem
-    load = load - traction_on(problem, {}, pair.first);
-  return (Exact(-1) / dot(d, d)) * dot(load, d);
+  return (Exact(-1) / dot(d, d)) * dot(contact_load_on(problem, stress, pair), d);
 }
 
 }  // namespace bracket::bounds
