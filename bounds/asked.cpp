@@ -135,13 +135,17 @@ template <int dim> QuantityInterval unknown(const Asked<dim>& asked) {
   return interval;
 }
 
+template <int dim> SolvedLevel<dim> solved_level(const Outcome<dim>& outcome, const Examined<dim>& examined) {
+  const Certificate& last = outcome.levels.back().certificate;
+  return {outcome.problem, examined.solvers, {examined.primal.closed, examined.dual.closed},
+          last.lower,      last.upper,       outcome.indicator};
+}
+
 template <int dim>
 QuantityInterval on_last_level(const Outcome<dim>& outcome, const scene::Scene<dim>& scene, Asked<dim>& one,
                                QuantityInterval interval, const Examined<dim>& examined, bool one_problem) {
   const Level& last = outcome.levels.back();
-  const SolvedLevel<dim> solved{
-      outcome.problem,        examined.solvers,       {examined.primal.closed, examined.dual.closed},
-      last.certificate.lower, last.certificate.upper, outcome.indicator};
+  const SolvedLevel<dim> solved = solved_level(outcome, examined);
   if (one.zone >= 0)
     one.quantity.stretch =
         zone_stretch(scene.contact[one.contact], scene::first_of(outcome.problem), one.contact, one.zone);
@@ -256,6 +260,7 @@ template const Indicator& steering(const Outcome<3>&, const scene::Refine&, cons
 template struct Asked<2>;
 template std::vector<Asked<2>> asked(const scene::Scene<2>&, const scene::Problem<2>&);
 template QuantityInterval unknown(const Asked<2>&);
+template SolvedLevel<2> solved_level(const Outcome<2>&, const Examined<2>&);
 template QuantityInterval on_last_level(const Outcome<2>&, const scene::Scene<2>&, Asked<2>&, QuantityInterval,
                                         const Examined<2>&, bool);
 template Targets targets(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);

@@ -28,6 +28,9 @@ template <int dim> std::vector<Asked<dim>> asked(const scene::Scene<dim>& scene,
 
 /// A quantity before any level.
 template <int dim> QuantityInterval unknown(const Asked<dim>& asked);
+/// The last level of a run, for what is asked of it.   \pre `examined` is of it
+template <int dim> SolvedLevel<dim> solved_level(const Outcome<dim>& outcome, const Examined<dim>& examined);
+
 /// A quantity as it is known after the last level of a run.
 /// \param so_far after the levels before   \param examined that level
 /// \param one_problem whether the levels are: then they are intersected

@@ -30,6 +30,16 @@ struct FrictionSteps {
   bool settled = false;  ///< η is at most twice the width of the last step's bracket
 };
 
+/// How far the last of Coulomb's steps is from the law, near a place on a contact: what its solution presses there, ∫ p
+/// ψ for a weight ψ that is one at that place and falls to zero around it, and what its bound of the shear was made of,
+/// ∫ g_T ψ/μ. For a solution of Coulomb's problem the two are equal. Forces per thickness, between guaranteed bounds.
+struct FrictionForce {
+  int contact = -1;  ///< index into Scene::contact
+  scene::Vector<2> at = scene::Vector<2>::Zero();
+  double lower = 0, upper = 0;  ///< infinite: no bound
+  double assumed_lower = 0, assumed_upper = 0;
+};
+
 /// What one mesh gave.
 struct Level {
   int cells = 0;
@@ -68,6 +78,7 @@ template <int dim> struct Outcome {
   Indicator indicator;
   std::vector<Level> levels;
   std::vector<QuantityInterval> quantities;  ///< as Scene::quantities, then the zones of contacts
+  std::vector<FrictionForce> friction;       ///< on the last level, where contacts have Coulomb's friction
   std::vector<std::string> skipped;          ///< stages that the scene did not need
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 #include "bounds/estimate/on_mesh.h"
 #include "scene/problem/law.h"
@@ -61,28 +62,50 @@ template <int dim> Meshed<dim> with_friction_settled(Meshed<dim> meshed, int deg
   constexpr double of_pressure = 1e-11;  // of what strains: below that pressures are rounding, see contact_pressure()
   Problem<dim>& problem = meshed.problem;
   const int stress_degree = scene::stress_degree(degree);
-  const primal::Solver<dim> displacements(problem, degree);
-  const dual::Solver<dim> stresses(problem, stress_degree), cones(problem, stress_degree, dual::Shear::by_pressure);
+  const Clock clock;
+  contact::reserve_blas_memory(2);
+  SolvedStep<dim>& step = meshed.step.emplace();
+  std::shared_ptr<const dual::Solver<dim>> cones;
+  auto other = std::async(std::launch::async, [&] {
+    step.solvers.stresses = std::make_shared<const dual::Solver<dim>>(problem, stress_degree);
+    cones = std::make_shared<const dual::Solver<dim>>(problem, stress_degree, dual::Shear::by_pressure);
+    step.dual_seconds = clock.seconds();
+  });
+  step.solvers.displacements = std::make_shared<const primal::Solver<dim>>(problem, degree, true);  // for any gap
+  step.primal_seconds = clock.seconds();
+  other.get();
   std::vector<char> cone_closed;
   meshed.friction = {};
+  const auto ended = [&] {
+    step.seconds = clock.seconds();
+    return std::move(meshed);
+  };
   while (true) {
     ++meshed.friction.steps;
     if (observer.stage)
       observer.stage(fmt::format("friction, step {}, on {} cells", meshed.friction.steps, problem.mesh.cells.size()));
-    const auto u = displacements.solve(problem, meshed.primal_closed);
-    const auto lambda = stresses.solve(problem, meshed.dual_closed);
-    if (!u.reason.empty() || !lambda.reason.empty()) return meshed;  // told when the step itself is examined
+    const Clock solving;
+    auto stresses = std::async(std::launch::async, [&] {
+      step.dual = step.solvers.stresses->solve(problem, meshed.dual_closed);
+      step.dual_seconds += solving.seconds();
+    });
+    step.primal = step.solvers.displacements->solve(problem, meshed.primal_closed);
+    step.primal_seconds += solving.seconds();
+    stresses.get();
+    const primal::Result<dim>& u = step.primal;
+    const dual::Result<dim>& lambda = step.dual;
+    if (!u.reason.empty() || !lambda.reason.empty()) return ended();  // told when the step itself is examined
     meshed.primal_closed = u.closed;
     meshed.dual_closed = lambda.closed;
     const double width = indicator(problem, u.displacement, lambda.stress).sum;
-    const auto within = cones.solve(problem, cone_closed, sizes_of_slip(problem, u.displacement));
-    if (!within.reason.empty()) return meshed;
+    const auto within = cones->solve(problem, cone_closed, sizes_of_slip(problem, u.displacement));
+    if (!within.reason.empty()) return ended();
     cone_closed = within.closed;
     // η = L(v) + S(λ) + ∫ μ p_λ |v_t|: the gap identity of the step that λ would make.
     meshed.friction.residual = indicator(with_friction_of(problem, within.stress), u.displacement, within.stress).sum;
     const double rounding = of_pressure * potential_energy(problem, u.displacement).strain;
     meshed.friction.settled = meshed.friction.residual <= enough * width + rounding;
-    if (meshed.friction.settled || meshed.friction.steps == most) return meshed;
+    if (meshed.friction.settled || meshed.friction.steps == most) return ended();
     problem = with_friction_of(std::move(problem), lambda.stress);
   }
 }

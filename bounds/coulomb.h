@@ -17,7 +17,7 @@ template <int dim> scene::Problem<dim> with_first_friction(scene::Problem<dim> p
 /// Takes steps (of displacements of degree 1 or 2, whose stresses are linear) until the residual η of Coulomb's law is
 /// at most twice the width of the step's own bracket, at most 30: the bound of each is μ times the pressure of the one
 /// before at the ends of each facet, linear between. \param meshed on a mesh of its own, with the bounds of some step;
-/// what a contact facet was found to do is updated \return the same with the bounds of the last step and
+/// what a contact facet was found to do is updated \return the same with the bounds of the last step, its fields,
 /// Meshed::friction
 template <int dim> Meshed<dim> with_friction_settled(Meshed<dim> meshed, int degree, const Observer<dim>& observer);
 

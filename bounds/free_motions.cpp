@@ -94,6 +94,25 @@ template <int dim> Holding holding(const scene::Problem<dim>& problem, const Fre
   return result;
 }
 
+template <int dim> Holding holding_by_pressure(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
+  Holding result = holding(problem, all);
+  auto slip = static_cast<Eigen::Index>(dim * problem.contact.size());
+  for (std::size_t j = 0; j < problem.contact.size(); ++j) {
+    const scene::FacetLaw& law = problem.contact[j].law;
+    if (!has_friction(law)) continue;
+    if (law.coulomb > 0) {
+      const Eigen::MatrixXd pressed = result.rows.middleRows(dim * j, dim) / law.coulomb;
+      const Eigen::MatrixXd sheared = result.rows.middleRows(slip, dim);
+      result.rows.middleRows(dim * j, dim) = (pressed + sheared) / 2;
+      result.rows.middleRows(slip, dim) = (pressed - sheared) / 2;
+      result.limits.lower.segment(slip, dim).setZero();
+      result.limits.upper.segment(slip, dim).setConstant(std::numeric_limits<double>::infinity());
+    }
+    slip += dim;
+  }
+  return result;
+}
+
 template <int dim> LoadWork load_work(const scene::Problem<dim>& problem, const FreeMotions<dim>& all) {
   const auto& mesh = problem.mesh;
   LoadWork result{Eigen::VectorXd::Zero(all.motion.size()), 0};
@@ -149,6 +168,7 @@ template <int dim> Moved<dim> most_moved(const FreeMotions<dim>& all, const Eige
 
 template FreeMotions<2> all_free_motions(const scene::Problem<2>&);
 template Holding holding(const scene::Problem<2>&, const FreeMotions<2>&, double);
+template Holding holding_by_pressure(const scene::Problem<2>&, const FreeMotions<2>&);
 template LoadWork load_work(const scene::Problem<2>&, const FreeMotions<2>&);
 template Moved<2> most_moved(const FreeMotions<2>&, const Eigen::VectorXd&);
 template FreeMotions<3> all_free_motions(const scene::Problem<3>&);

@@ -24,6 +24,10 @@ struct Holding {
 /// \param inset from the vertices, at most to the middle
 template <int dim> Holding holding(const scene::Problem<dim>& problem, const FreeMotions<dim>& all, double inset = 0);
 
+/// The same where Coulomb's friction bears a shear of at most μ times the pressure: in place of the rows of r and v_t
+/// those of (r/μ + v_t)/2 and (r/μ − v_t)/2, whose multipliers μ p + τ and μ p − τ are ≥ 0.
+template <int dim> Holding holding_by_pressure(const scene::Problem<dim>& problem, const FreeMotions<dim>& all);
+
 /// The work of the loads in each motion, and the sum of its parts' sizes.
 struct LoadWork {
   Eigen::VectorXd work;

@@ -30,6 +30,10 @@ void solve_stresses(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, b
   if (keep) solved.solvers.stresses = std::move(solver);
 }
 
+template <int dim> std::string unsolved(const Examined<dim>& solved) {
+  return solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;
+}
+
 /// Displacements, then stresses from them star by star.
 template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const scene::Scene<dim>& scene) {
   constexpr int sweeps = 1;
@@ -54,9 +58,17 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   return solved;
 }
 
-/// The two formulations side by side; each is mostly serial, so that two cores are well used.
+/// The two formulations side by side; each is mostly serial, so that two cores are well used. The last of Coulomb's
+/// steps is solved already.
 template <int dim>
 Examined<dim> solve_side_by_side(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+  if (const auto& step = meshed.step) {
+    Examined<dim> solved{.primal = step->primal, .dual = step->dual, .solvers = step->solvers};
+    solved.level.seconds.primal = step->primal_seconds;
+    solved.level.seconds.dual = step->dual_seconds;
+    solved.unsolved = unsolved(solved);
+    return solved;
+  }
   const Clock clock;
   contact::reserve_blas_memory(2);
   const bool keep = asks_for_quantities(scene);
@@ -70,7 +82,7 @@ Examined<dim> solve_side_by_side(const Meshed<dim>& meshed, const scene::Scene<d
   if (keep) solved.solvers.displacements = std::move(solver);
   solved.level.seconds.primal = clock.seconds();
   stresses.get();
-  solved.unsolved = solved.primal.reason.empty() ? solved.dual.reason : solved.primal.reason;
+  solved.unsolved = unsolved(solved);
   return solved;
 }
 
@@ -175,7 +187,8 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
                       const Clock& run_clock, const Observer<dim>& observer) {
   const Clock clock;
   const auto& problem = meshed.problem;
-  if (observer.stage) observer.stage(fmt::format("displacements and stresses on {} cells", problem.mesh.cells.size()));
+  if (observer.stage && !meshed.step)
+    observer.stage(fmt::format("displacements and stresses on {} cells", problem.mesh.cells.size()));
   Examined<dim> examined = solve_both(meshed, scene, run_clock);
   if (!examined.unsolved.empty()) return examined;
 
@@ -222,7 +235,7 @@ Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
   }
   level.seconds.mesh = meshed.seconds;
   level.seconds.estimate = estimating.seconds() - level.seconds.certify;
-  level.seconds.total = meshed.seconds + clock.seconds();
+  level.seconds.total = meshed.seconds + clock.seconds() + (meshed.step ? meshed.step->seconds : 0);
   return examined;
 }
 

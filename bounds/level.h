@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "bounds/bounds.h"
@@ -12,6 +13,14 @@
 /// What a run does on one mesh.
 namespace bracket::bounds {
 
+/// Both formulations' fields of one problem, or why there are none, and what they were solved with.
+template <int dim> struct SolvedStep {
+  primal::Result<dim> primal;
+  dual::Result<dim> dual;
+  Solvers<dim> solvers;
+  double primal_seconds = 0, dual_seconds = 0, seconds = 0;  ///< of this and the steps before it, and of all they took
+};
+
 /// A problem to be solved, and what is expected of its contact.
 template <int dim> struct Meshed {
   scene::Problem<dim> problem;
@@ -20,8 +29,9 @@ template <int dim> struct Meshed {
   bool changed = false;                                    ///< the data are no more those of the scene
   std::vector<std::string> notes = {};                     ///< of the scene's own mesh
   FrictionSteps friction = {};
-  int times_resolved = 0;               ///< how often that was refined for the data,
-  std::set<std::string> resolved = {};  ///< and those of which parts
+  std::optional<SolvedStep<dim>> step = {};  ///< the last of Coulomb's, which is of this problem
+  int times_resolved = 0;                    ///< how often that was refined for the data,
+  std::set<std::string> resolved = {};       ///< and those of which parts
 };
 
 /// Both formulations on one mesh, and what follows from their fields.

@@ -12,6 +12,7 @@
 #include "bounds/asked.h"
 #include "bounds/bounds.h"
 #include "bounds/coulomb.h"
+#include "bounds/friction_forces.h"
 #include "bounds/level.h"
 #include "bounds/resolve_data.h"
 #include "bounds/skipped.h"
@@ -165,13 +166,6 @@ template <int dim> int count_of_cells(const Meshed<dim>& meshed) {
   return static_cast<int>(meshed.problem.mesh.cells.size());
 }
 
-/// With the last of the steps by which Coulomb's friction is approached.
-template <int dim>
-Meshed<dim> settled(Meshed<dim> meshed, const scene::Scene<dim>& scene, const Observer<dim>& observer) {
-  if constexpr (dim == 2)
-    if (has_coulomb(meshed.problem)) return with_friction_settled(std::move(meshed), scene.solve.degree, observer);
-  return meshed;
-}
 /// In the plane the first mesh is refined for data that it does not resolve.
 template <int dim>
 std::optional<Meshed<dim>> resolved(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
@@ -207,6 +201,16 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       outcome.levels.back().seconds.total += seconds;
     }
   };
+  const auto complete = [&](const Examined<dim>& examined, bool one_problem) {
+    compute(missing(outcome, asked), examined, one_problem);
+    if constexpr (dim == 2)
+      if (has_coulomb(outcome.problem)) outcome.friction = friction_forces(solved_level(outcome, examined));
+  };
+  const auto examined_on = [&](Meshed<dim>& on) {
+    if constexpr (dim == 2)
+      if (has_coulomb(on.problem)) on = with_friction_settled(std::move(on), scene.solve.degree, observer);
+    return examine(scene, on, outcome.levels, clock, observer);
+  };
   try {
     Meshed<dim> meshed = first();
     size = fmt::format("{} cells", count_of_cells(meshed));
@@ -216,13 +220,12 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();
     for (int meshes = 1;; ++meshes) {
-      meshed = settled(std::move(meshed), scene, observer);
-      Examined<dim> examined = examine(scene, meshed, outcome.levels, clock, observer);
+      Examined<dim> examined = examined_on(meshed);
       while (outcome.levels.empty() && !observer.stop.stop_requested()) {
         auto finer_first = resolved(scene, meshed, examined, clock);
         if (!finer_first) break;
-        meshed = settled(std::move(*finer_first), scene, observer);
-        examined = examine(scene, meshed, outcome.levels, clock, observer);
+        meshed = std::move(*finer_first);
+        examined = examined_on(meshed);
       }
       const bool bracketed = examined.unsolved.empty(), one_problem = is_one_problem(scene, meshed);
       if (bracketed) {
@@ -243,7 +246,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
                                                          : "rounding-safe";
         compute(due(outcome, refine, asked), examined, one_problem);
         const bool done = examined.unstrained || targets(outcome, refine, asked).met();
-        if (done) compute(missing(outcome, asked), examined, one_problem);
+        if (done) complete(examined, one_problem);
         if (const std::string why = contradiction(outcome.quantities); !why.empty())
           return end(disowned(std::move(outcome)), why, true);
         if (observer.level) observer.level(outcome);
@@ -254,7 +257,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
       }
       if (observer.stop.stop_requested()) return end(std::move(outcome), "stopped on request", true);
       const auto finished = [&](const std::string& why) {
-        if (bracketed) compute(missing(outcome, asked), examined, one_problem);
+        if (bracketed) complete(examined, one_problem);
         if (const std::string wrong = contradiction(outcome.quantities); !wrong.empty())
           return end(disowned(std::move(outcome)), wrong, true);
         return end(std::move(outcome), why, false);

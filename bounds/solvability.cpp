@@ -156,11 +156,27 @@ scene::Problem<2> with_corrections(scene::Problem<2> problem, const Eigen::Vecto
   return problem;
 }
 
+/// \throw scene::Error (ill_posed) where no shear of at most μ times a pressure balances the loads
+template <int dim> void check_coulomb(const scene::Problem<dim>& problem) {
+  const FreeMotions<dim> all = all_free_motions(problem);
+  const LoadWork given = load_work(problem, all);
+  if (!has_coulomb(problem) || given.size == 0) return;
+  const auto [rows, limits, friction] = holding_by_pressure(problem, all);
+  const auto balance = contact::balance(rows, given.work, possible_imbalance(problem).explained, limits);
+  if (balance.possible) return;
+  throw scene::Error(scene::Status::ill_posed,
+                     fmt::format("{} by a shear of at most mu times the pressure, with a force of {:.3g}; support it, "
+                                 "or change the loads or mu",
+                                 explain(problem, all, balance.motion), balance.motion.norm()));
+}
+
 }  // namespace
 
 template <int dim> scene::Problem<dim> balanced(scene::Problem<dim> problem, int degree) {
   primal::check_prescribed(problem, degree);
-  problem = with_first_friction(without_corrections(std::move(problem)), degree);
+  problem = without_corrections(std::move(problem));
+  check_coulomb(problem);
+  problem = with_first_friction(std::move(problem), degree);
   const FreeMotions<dim> all = all_free_motions(problem);
   if (all.motion.empty()) return problem;
   const auto [rows, limits, friction] = holding(problem, all);

@@ -152,17 +152,15 @@ Problem<3> with_corrections(Problem<3> problem, const FreeMotions<3>& all, const
     return problem;
   }
   const auto hidden = [] {
-    return scene::Error(
-        scene::Status::not_guaranteed,
-        "rounding hides how a body is held: supports or contacts act on its motion by rounding only");
+    return scene::Error(scene::Status::not_guaranteed,
+                        "rounding hides how a body is held: supports or contacts act on its motion by rounding only");
   };
   const Eigen::MatrixXd motions = unresisted(problem, holding.rows);
   if (motions.cols() != unheld) throw hidden();
   const Candidates all_loads = candidates(problem, all);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(motions.transpose() * all_loads.work);
   if (qr.rank() < unheld) throw hidden();
-  for (int k = 0; k < unheld; ++k)
-    problem.corrections.push_back(all_loads.load[qr.colsPermutation().indices()[k]]);
+  for (int k = 0; k < unheld; ++k) problem.corrections.push_back(all_loads.load[qr.colsPermutation().indices()[k]]);
   const auto [amounts, reason] = space::corrected<scene::Enclosure, scene::LongSum>(scene::first_of(problem));
   if (!reason.empty()) throw hidden();
   double largest = 0;

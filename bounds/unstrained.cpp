@@ -24,7 +24,8 @@ template <int dim> double energy_of_noise(const scene::Problem<dim>& problem, in
     double slopes = 0;
     for (const auto& slope : scene::hat_gradients<dim>(scene::positions(mesh, mesh.cells[c]))) slopes += slope.norm();
     const double strain = degree * degree * size * slopes;
-    energy += scene::volume(mesh, static_cast<int>(c)) / 2 * problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
+    energy += scene::volume(mesh, static_cast<int>(c)) / 2 *
+              problem.bodies[mesh.cell_body[c]].material.stiffness().norm() * strain * strain;
   }
   return energy;
 }
@@ -51,10 +52,10 @@ scene::Displacement<dim> translated(const scene::Mesh<dim>& mesh, int degree, co
   return displacement;
 }
 
-#define INSTANTIATE(dim)                                                                         \
-  template double energy_of_noise(const scene::Problem<dim>&, int, double);                      \
-  template bool is_unstrained(const scene::Problem<dim>&, const scene::Displacement<dim>&);      \
-  template scene::Stress<dim> no_stress(const scene::Mesh<dim>&, int);                           \
+#define INSTANTIATE(dim)                                                                    \
+  template double energy_of_noise(const scene::Problem<dim>&, int, double);                 \
+  template bool is_unstrained(const scene::Problem<dim>&, const scene::Displacement<dim>&); \
+  template scene::Stress<dim> no_stress(const scene::Mesh<dim>&, int);                      \
   template scene::Displacement<dim> translated(const scene::Mesh<dim>&, int, const scene::Vector<dim>&);
 INSTANTIATE(2)
 INSTANTIATE(3)

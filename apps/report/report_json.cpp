@@ -145,6 +145,18 @@ Json quantities_json(const Report& report) {
   return quantities;
 }
 
+Json friction_json(const Report& report) {
+  Json all = Json::array();
+  for (const bounds::FrictionForce& one : report.outcome.friction)
+    all.push_back({{"contact", pair_name(report.scene.contact[one.contact])},
+                   {"at", {one.at[0], one.at[1]}},
+                   {"lower", one.lower},
+                   {"upper", one.upper},
+                   {"assumed_lower", one.assumed_lower},
+                   {"assumed_upper", one.assumed_upper}});
+  return all;
+}
+
 /// The forces of a contact's zones.
 Json zones_json(const Report& report, int contact) {
   Json zones = Json::array();
@@ -239,6 +251,7 @@ std::string report_json(const Report& report) {
                       {"notes", outcome.problem.mesh.notes}};
   json.update(found);
   if (!report.scene.curves.empty()) json["moved"] = outcome.moved;
+  if (!outcome.friction.empty()) json["friction"] = friction_json(report);
   return dump(json);
 }
 

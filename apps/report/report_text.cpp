@@ -79,6 +79,21 @@ std::string iterations_text(const Report& report) {
   return text;
 }
 
+/// How far the last of Coulomb's steps is from the law.
+std::string friction_text(const Report& report) {
+  if (report.outcome.friction.empty()) return "";
+  const std::string unit = units_of(report.scene.units).force;
+  std::string text =
+      "\nCoulomb's law: the force that the last step presses with near a place of the\ncontact, between bounds, and "
+      "the "
+      "one that its friction bound assumed\n";
+  for (const bounds::FrictionForce& one : report.outcome.friction)
+    text += fmt::format("  {} near ({:.5g}, {:.5g})  {}; assumed {:.5g}\n",
+                        pair_name(report.scene.contact[one.contact]), one.at[0], one.at[1],
+                        interval_text(one.lower, one.upper, unit), (one.assumed_lower + one.assumed_upper) / 2);
+  return text;
+}
+
 std::string checks_text(const bounds::Checks& checks) {
   std::string text =
       "\nChecks of the fields as computed, before the certificate (by the largest stress\nor displacement)\n";
@@ -193,8 +208,9 @@ std::string headline(const Report& report) {
 
 std::string report_text(const Report& report) {
   const bounds::Outcome<2>& outcome = report.outcome;
-  std::string text = "\n" + explanation(report) + findings_text(report) + iterations_text(report) +
-                     checks_text(outcome.levels.back().checks) + data_text(report) + seconds_table(report);
+  std::string text = "\n" + explanation(report) + findings_text(report) + friction_text(report) +
+                     iterations_text(report) + checks_text(outcome.levels.back().checks) + data_text(report) +
+                     seconds_table(report);
   if (error_is_rounding(outcome)) text += "The error is rounding: there is no picture of where it is.\n";
   if (outcome.status == scene::Status::budget) text += fmt::format("Budget: {}\n", outcome.reason);
   if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, "; "));

@@ -9,6 +9,7 @@
 #include "bounds/bounds.h"
 #include "bounds/results.h"
 #include "dual/dual.h"
+#include "primal/primal.h"
 #include "tests/laws/pairs.h"
 
 namespace bracket::tests {
@@ -91,6 +92,8 @@ TEST(Coulomb, ABlockRestsOnASlopeThatIsNotTooSteep) {
     FAIL();
   } catch (const scene::Error& error) {
     EXPECT_EQ(error.status(), scene::Status::ill_posed);
+    EXPECT_NE(std::string(error.what()).find("body 'b' is pushed off: moving it by"), std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("shear of at most mu times the pressure"), std::string::npos)
         << error.what();
   }
@@ -122,6 +125,53 @@ TEST(Coulomb, ResidualsFallWithTheMesh) {
       }
     }
   }
+}
+
+// What the last step presses with near five places of the contact, against what its bound assumed: they add up to the
+// force, by statics 0.1, and come near to each other as the residual falls.
+TEST(Coulomb, ForcesOfTheLastStepAreThoseThatItsBoundAssumed) {
+  double before = 1;
+  for (const int levels : {1, 2, 3}) {
+    Scene<2> s = pushed(0.4);
+    s.refine.max_levels = levels;
+    const auto outcome = bounds::run(s);
+    ASSERT_EQ(outcome.friction.size(), 5u);
+    double lower = 0, upper = 0, assumed = 0, off = 0;
+    for (const auto& [contact, at, least, most, assumed_least, assumed_most] : outcome.friction) {
+      EXPECT_EQ(contact, 0);
+      EXPECT_NEAR(at[1], 1, 1e-12);
+      EXPECT_GE(least, 0);
+      EXPECT_LE(least, most);
+      EXPECT_LE(assumed_least, assumed_most);
+      EXPECT_LE(assumed_most - assumed_least, 1e-12);
+      lower += least, upper += most, assumed += assumed_most;
+      off += std::max(most - assumed_least, assumed_most - least);
+    }
+    EXPECT_LE(lower, 0.1);
+    EXPECT_GE(upper, 0.1);
+    EXPECT_NEAR(assumed, 0.1, 1e-9);  // of stresses in equilibrium
+    EXPECT_LT(off, before);
+    before = off;
+  }
+  EXPECT_LT(before, 0.02);
+}
+
+// The last step's fields are the level's: they are not solved for again.
+TEST(Coulomb, TheLastStepIsSolvedOnce) {
+  int steps = 0, solved = 0, told = 0;
+  bounds::Observer<2> observer;
+  observer.stage = [&](const std::string& stage) {
+    steps += stage.starts_with("friction, step");
+    solved += stage.starts_with("displacements and stresses");
+  };
+  const auto outcome = bounds::run(pushed(0.4), observer);
+  for (const auto& level : outcome.levels) told += level.friction.steps;
+  EXPECT_EQ(steps, told);
+  EXPECT_EQ(solved, 0);
+  const auto& problem = outcome.problem;
+  const auto u = primal::solve(problem, 2);
+  EXPECT_EQ(bounds::potential_energy(problem, u.displacement).total,
+            bounds::potential_energy(problem, outcome.displacement).total);
 }
 
 // Without friction the law is none: the same to the last bit.
