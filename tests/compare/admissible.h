@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "bounds/bounds.h"
 
 namespace bracket::tests {
@@ -11,7 +13,12 @@ namespace bracket::tests {
 /// is the width to 1e-10 of it or 1e-14 of the energy.
 inline void expect_admissible(const bounds::Outcome<2>& outcome) {
   ASSERT_FALSE(outcome.levels.empty());
-  EXPECT_EQ(outcome.guarantee, outcome.problem.sampled ? "discretisation" : "rounding-safe") << outcome.reason;
+  const bool coulomb =
+      std::ranges::any_of(outcome.problem.contact, [](const auto& pair) { return pair.law.coulomb > 0; });
+  EXPECT_EQ(outcome.guarantee, coulomb                   ? "tresca-step"
+                               : outcome.problem.sampled ? "discretisation"
+                                                         : "rounding-safe")
+      << outcome.reason;
   for (const auto& level : outcome.levels) {
     EXPECT_LE(level.bracket.lower, level.bracket.upper);
     EXPECT_TRUE(level.checks.passed());

@@ -197,6 +197,8 @@ TEST_P(Compared, pressures_differ_by_no_more_than_the_stresses) {
 
 TEST_P(Compared, formulations_approach_each_other) {
   // No corner is worse than a crack, whose stress like r^-½ leaves an error of order h in the energy.
+  if (scene::has_coulomb(scene::read_scene<2>(GetParam())))
+    GTEST_SKIP() << "each mesh has a bound of the shear of its own";
   const auto outcome = run(2);
   const auto &coarse = outcome.levels[0].plain, &fine = outcome.levels[1].plain;
   EXPECT_LE(fine.upper - fine.lower, (coarse.upper - coarse.lower) / 2 + 1e-12 * std::abs(fine.upper));
