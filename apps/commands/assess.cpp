@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/dimension.h"
 #include "apps/commands/folder.h"
 #include "apps/commands/say.h"
 #include "apps/commands/watch.h"
@@ -16,6 +17,7 @@
 namespace bracket::apps {
 
 Ending assess(const AssessOptions& options) {
+  refuse_space(options.scene, options.overrides, "assess");
   const scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
   const std::filesystem::path folder = results_folder(options.folder, options.scene, ".assess");
   const Descriptor in_use = prepare_folder(folder);

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/dimension.h"
 #include "apps/commands/folder.h"
 #include "apps/commands/watch.h"
 #include "contact/clock.h"
@@ -73,6 +74,7 @@ Ending ending(const Extremes& extremes, bool interrupted) {
 
 Ending extremes(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                 const std::filesystem::path& given_folder) {
+  refuse_space(file, overrides, "extremes");
   const scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
   scene::Scene<2> settings = scene;
   settings.refine = {};  // each interval is that of one mesh

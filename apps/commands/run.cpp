@@ -10,10 +10,12 @@
 #include <utility>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/dimension.h"
 #include "apps/commands/folder.h"
 #include "apps/commands/say.h"
 #include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
+#include "apps/plots/space/pictures.h"
 #include "apps/report/lines.h"
 #include "apps/report/sha256.h"
 #include "apps/report/sheet.h"
@@ -25,8 +27,8 @@ namespace bracket::apps {
 namespace {
 
 /// Keeps the folder of results up to date while a run is going on: it tells of `around.size()` levels.
-struct Results {
-  const scene::Scene<2>& scene;
+template <int dim> struct Results {
+  const scene::Scene<dim>& scene;
   const RunOptions& options;
   std::filesystem::path folder;
   Clock clock;      // of the command
@@ -36,8 +38,8 @@ struct Results {
   std::vector<std::string> missing = {};  ///< what could not be written of levels after the first, and why
 };
 
-Report report_of(const Results& results, const bounds::Outcome<2>& outcome) {
-  Report report = apps::report(results.scene, outcome);
+template <int dim> ReportOf<dim> report_of(const Results<dim>& results, const bounds::Outcome<dim>& outcome) {
+  ReportOf<dim> report = apps::report(results.scene, outcome);
   report.read = results.read;
   report.around = results.around;
   report.missing = results.missing;
@@ -45,9 +47,9 @@ Report report_of(const Results& results, const bounds::Outcome<2>& outcome) {
 }
 
 // The fields of the last level, and the collection of all that are written.
-void write_fields(const Results& results, const Report& report) {
+template <int dim> void write_fields(const Results<dim>& results, const ReportOf<dim>& report) {
   const std::filesystem::path& folder = results.folder;
-  const bounds::Outcome<2>& outcome = report.outcome;
+  const bounds::Outcome<dim>& outcome = report.outcome;
   const int level = static_cast<int>(outcome.levels.size()) - 1;
   const bool contact = !outcome.problem.contact.empty();
   write_file(folder, fmt::format("solution_{}.vtu", level), solution_vtu(report));
@@ -57,14 +59,14 @@ void write_fields(const Results& results, const Report& report) {
 }
 
 /// The report of a run whose last level has just been done.
-Report report_so_far(Results& results, const bounds::Outcome<2>& outcome) {
+template <int dim> ReportOf<dim> report_so_far(Results<dim>& results, const bounds::Outcome<dim>& outcome) {
   results.around.push_back({.elapsed = results.clock.seconds(), .write = 0});
-  Report so_far = report_of(results, outcome);
+  ReportOf<dim> so_far = report_of(results, outcome);
   so_far.running = true;
   return so_far;
 }
 
-void write_level(Results& results, Report& so_far) {
+template <int dim> void write_level(Results<dim>& results, ReportOf<dim>& so_far) {
   const Clock clock;
   if (!results.options.last_level) write_fields(results, so_far);
   write_file(results.folder, "history.csv", history_csv(so_far));
@@ -75,7 +77,7 @@ void write_level(Results& results, Report& so_far) {
 }
 
 /// A disk that cannot take the first level is the user's to mend. Later the interval counts more than the files.
-void write_level_if_it_fits(Results& results, Report& so_far) {
+template <int dim> void write_level_if_it_fits(Results<dim>& results, ReportOf<dim>& so_far) {
   try {
     write_level(results, so_far);
   } catch (const scene::Error& error) {
@@ -85,12 +87,12 @@ void write_level_if_it_fits(Results& results, Report& so_far) {
 }
 
 /// Prints a line of each level as it is done.
-bounds::Outcome<2> solve(Results& results) {
+template <int dim> bounds::Outcome<dim> solve(Results<dim>& results) {
   const RunOptions& options = results.options;
   Watch watch(!options.quiet);
-  return bounds::run(results.scene, watch.observer("", [&](const bounds::Outcome<2>& outcome) {
+  return bounds::run(results.scene, watch.observer<dim>("", [&](const bounds::Outcome<dim>& outcome) {
     watch.show("writing");
-    Report so_far = report_so_far(results, outcome);
+    ReportOf<dim> so_far = report_so_far(results, outcome);
     write_level_if_it_fits(results, so_far);
     watch.clear();
     if (options.quiet || options.json) return;
@@ -109,17 +111,26 @@ FileRead file_read(const std::filesystem::path& file) {
 }
 
 /// \pre the scene has just been read
-Given given(const RunOptions& options, const scene::Scene<2>& scene) {
+template <int dim> Given given(const RunOptions& options, const scene::Scene<dim>& scene) {
   Given result{.files = {file_read(options.scene)}, .overrides = options.overrides, .ended = ""};
   if (!scene.mesh_file.empty()) result.files.push_back(file_read(scene.mesh_file));
   return result;
 }
 
+Drawings drawn(const Report& report, bool png) { return draw(pictures(report), png); }
+Drawings drawn(const ReportOf<3>& report, bool png) {
+  Drawings drawings = draw(level_pictures(report), png);
+  const std::vector<Drawing> bodies = space_pictures(report);
+  drawings.drawn.insert(drawings.drawn.begin(), bodies.begin(), bodies.end());
+  if (png) drawings.missing.emplace_back("pictures of the bodies as PNG: in space they are SVG alone");
+  return drawings;
+}
+
 /// Draws the pictures and writes them, report.html and the sheet; tells the report what is missing.
-void write_pictures(Results& results, Report& report, bool png) {
+template <int dim> void write_pictures(Results<dim>& results, ReportOf<dim>& report, bool png) {
   const Clock clock;
   Drawings drawings;
-  if (report.outcome.guarantee != "none") drawings = draw(pictures(report), png);
+  if (report.outcome.guarantee != "none") drawings = drawn(report, png);
   for (const Drawing& drawing : drawings.drawn) {
     write_file(results.folder, drawing.name + ".svg", drawing.svg);
     if (!drawing.png.empty()) write_file(results.folder, drawing.name + ".png", drawing.png);
@@ -127,14 +138,16 @@ void write_pictures(Results& results, Report& report, bool png) {
   report.missing.insert(report.missing.end(), drawings.missing.begin(), drawings.missing.end());
   report.pictures = clock.seconds();
   write_file(results.folder, "report.html", report_html(report, drawings.drawn));
-  results.given.ended = now();
-  write_file(results.folder, "sheet.html", sheet_html(report, results.given));
-  write_file(results.folder, "sheet.json", sheet_json(report, results.given));
+  if constexpr (dim == 2) {  // the sheet has no form in space yet
+    results.given.ended = now();
+    write_file(results.folder, "sheet.html", sheet_html(report, results.given));
+    write_file(results.folder, "sheet.json", sheet_json(report, results.given));
+  }
 }
 
 /// Writes what the run has found, over what says that it is going on.
 /// \return what could not be written, and why
-std::vector<std::string> write_end(const Results& results, const Report& report) {
+template <int dim> std::vector<std::string> write_end(const Results<dim>& results, const ReportOf<dim>& report) {
   std::vector<std::string> missing;
   std::vector<std::pair<const char*, std::string>> files = {{"history.csv", history_csv(report)},
                                                             {"contact.csv", findings_csv(report)},
@@ -151,7 +164,7 @@ std::vector<std::string> write_end(const Results& results, const Report& report)
 }
 
 /// As write_end(); where the disk is full the files that say that the run is going on make room, and do not stay.
-void write_first_end(const Results& results, const Report& report) {
+template <int dim> void write_first_end(const Results<dim>& results, const ReportOf<dim>& report) {
   if (write_end(results, report).empty()) return;
   std::error_code error;
   for (const char* name : {"report.json", "history.csv"}) std::filesystem::remove(results.folder / name, error);
@@ -159,7 +172,7 @@ void write_first_end(const Results& results, const Report& report) {
 }
 
 /// The fields of a run that has written none; where they cannot be, the report tells why.
-void try_last_fields(const Results& results, Report& report) {
+template <int dim> void try_last_fields(const Results<dim>& results, ReportOf<dim>& report) {
   try {
     write_fields(results, report);
   } catch (const scene::Error& error) {
@@ -168,7 +181,7 @@ void try_last_fields(const Results& results, Report& report) {
 }
 
 /// Pictures, report.html and the sheet; where they cannot be, the report tells why.
-void try_pictures(Results& results, Report& report, bool png) {
+template <int dim> void try_pictures(Results<dim>& results, ReportOf<dim>& report, bool png) {
   try {
     write_pictures(results, report, png);
   } catch (const scene::Error& error) {
@@ -196,29 +209,27 @@ std::string where(const std::filesystem::path& folder) {
                                     (folder / "report.json").string(), (folder / "solution.pvd").string()));
 }
 
-}  // namespace
-
-Ending run(const RunOptions& options) {
-  const Clock clock;
-  scene::Scene<2> scene = scene::read_scene<2>(options.scene, options.overrides);
+template <int dim> Ending run_in(const RunOptions& options, const Clock& clock) {
+  scene::Scene<dim> scene = scene::read_scene<dim>(options.scene, options.overrides);
+  if constexpr (dim == 3) refuse_quantities(scene);
   scene.refine.all_levels = options.all_levels;
-  Results results{.scene = scene,
-                  .options = options,
-                  .folder = results_folder(options.folder, options.scene, ".out"),
-                  .clock = clock,
-                  .read = clock.seconds(),
-                  .given = given(options, scene)};
+  Results<dim> results{.scene = scene,
+                       .options = options,
+                       .folder = results_folder(options.folder, options.scene, ".out"),
+                       .clock = clock,
+                       .read = clock.seconds(),
+                       .given = given(options, scene)};
   // Before the work, so that a folder that cannot be used is known at once.
   const Descriptor in_use = prepare_folder(results.folder);
 
-  const bounds::Outcome<2> outcome = solve(results);
+  const bounds::Outcome<dim> outcome = solve(results);
   const bool has_rows = !results.around.empty();
   if (outcome.stress.cell.empty()) throw scene::Error(outcome.status, outcome.reason);  // no fields, nothing to report
   if (results.around.size() < outcome.levels.size()) {  // of a level that failed its checks
-    Report failed = report_so_far(results, outcome);
+    ReportOf<dim> failed = report_so_far(results, outcome);
     write_level_if_it_fits(results, failed);
   }
-  Report report = report_of(results, outcome);
+  ReportOf<dim> report = report_of(results, outcome);
   write_first_end(results, report);  // before the pictures, which may fill the disk
   if (options.last_level) try_last_fields(results, report);
   if (options.pictures) try_pictures(results, report, options.png);
@@ -237,6 +248,13 @@ Ending run(const RunOptions& options) {
     if (!options.quiet) std::cout << report_text(report) << where(results.folder);
   }
   return {outcome.status, outcome.reason};
+}
+
+}  // namespace
+
+Ending run(const RunOptions& options) {
+  const Clock clock;
+  return is_in_space(options.scene, options.overrides) ? run_in<3>(options, clock) : run_in<2>(options, clock);
 }
 
 }  // namespace bracket::apps

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/dimension.h"
 #include "apps/commands/folder.h"
 #include "apps/commands/watch.h"
 #include "contact/clock.h"
@@ -31,6 +32,7 @@ bool any_reaches(double target, const std::vector<Series>& all) {
 
 Ending study(const std::filesystem::path& file, const std::vector<std::string>& overrides,
              const std::filesystem::path& given_folder) {
+  refuse_space(file, overrides, "study");
   scene::Scene<2> scene = scene::read_scene<2>(file, overrides);
   const double target = std::exchange(scene.refine.target, 0);
   const std::filesystem::path folder = results_folder(given_folder, file, ".study");

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <type_traits>
 
 #include "apps/commands/interrupt.h"
 #include "apps/commands/progress.h"
@@ -25,7 +26,9 @@ class Watch {
   /// was pressed.
   /// \param level told as each level is done
   /// \pre the watch outlives the run
-  bounds::Observer<2> observer(std::string label, std::function<void(const bounds::Outcome<2>&)> level);
+  template <int dim = 2>
+  bounds::Observer<dim> observer(std::string label,
+                                 std::type_identity_t<std::function<void(const bounds::Outcome<dim>&)>> level);
 
  private:
   void stop_if_interrupted();

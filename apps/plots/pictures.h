@@ -14,12 +14,17 @@ namespace bracket::apps {
 /// mesh unless error_is_rounding().
 /// \pre a guarantee, the run has ended
 std::vector<Picture> pictures(const Report& report);
+/// Of them closing and error, which a run in space has too.
+template <int dim> std::vector<Picture> level_pictures(const ReportOf<dim>& report);
 
-Picture closing_picture(const Report& report);  ///< the bounds about the middle of the final bracket, against cells
+template <int dim>
+Picture closing_picture(
+    const ReportOf<dim>& report);  ///< the bounds about the middle of the final bracket, against cells
 /// The same of each quantity, quantity_1 and so on, that two meshes or more have put between bounds.
 std::vector<Picture> quantity_pictures(const Report& report);
-Picture error_picture(const Report& report);  ///< the guaranteed relative error against cells and seconds
-Picture mesh_picture(const Report& report);   ///< the mesh coloured by the density of the indicator
+template <int dim>
+Picture error_picture(const ReportOf<dim>& report);  ///< the guaranteed relative error against cells and seconds
+Picture mesh_picture(const Report& report);          ///< the mesh coloured by the density of the indicator
 /// Where a displacement from another program is wrong: its mesh coloured by the density of its squared error.
 Picture error_cells_picture(const scene::Scene<2>& scene, const bounds::Assessment& assessment);
 /// The deformed bodies (apps/report/deformed.h) coloured by the equivalent stress, with supports, loads, names, contact

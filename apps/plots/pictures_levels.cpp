@@ -123,7 +123,7 @@ constexpr const char* of_polygons = "each level's own: with arcs, each is the pr
 
 }  // namespace
 
-Picture closing_picture(const Report& report) {
+template <int dim> Picture closing_picture(const ReportOf<dim>& report) {
   std::vector<Enclosed> meshes;
   for (const bounds::Level& level : report.outcome.levels)
     meshes.push_back({level.cells, level.bracket.lower, level.bracket.upper});
@@ -159,7 +159,7 @@ std::vector<Picture> quantity_pictures(const Report& report) {
   return result;
 }
 
-Picture error_picture(const Report& report) {
+template <int dim> Picture error_picture(const ReportOf<dim>& report) {
   std::vector<double> cells, seconds, errors;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
@@ -181,6 +181,25 @@ Picture error_picture(const Report& report) {
               "unset multiplot\n"};
 }
 
+namespace {
+
+/// Whether there is a curve of the error to draw.
+template <int dim> bool has_error_curve(const bounds::Outcome<dim>& outcome) {
+  const auto known = [](const bounds::Level& level) {
+    return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
+  };
+  return std::ranges::count_if(outcome.levels, known) > 1;
+}
+
+}  // namespace
+
+template <int dim> std::vector<Picture> level_pictures(const ReportOf<dim>& report) {
+  std::vector<Picture> result;
+  if (report.outcome.levels.size() > 1) result.push_back(closing_picture(report));
+  if (has_error_curve(report.outcome)) result.push_back(error_picture(report));
+  return result;
+}
+
 std::vector<Picture> pictures(const Report& report) {
   const auto& levels = report.outcome.levels;
   std::vector<Picture> result = {bodies_picture(report)};
@@ -188,13 +207,16 @@ std::vector<Picture> pictures(const Report& report) {
     result.push_back(contact_picture(report, pair));
   if (levels.size() > 1) result.push_back(closing_picture(report));
   for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
-  const auto known = [](const bounds::Level& level) {
-    return std::isfinite(level.bracket.relative_error_bound) && level.bracket.relative_error_bound > 0;
-  };
-  if (std::ranges::count_if(levels, known) > 1) result.push_back(error_picture(report));
+  if (has_error_curve(report.outcome)) result.push_back(error_picture(report));
   if (knows_stress_across(report.outcome.problem, report.scene.plane)) result.push_back(shear_picture(report));
   if (!error_is_rounding(report.outcome)) result.push_back(mesh_picture(report));
   return result;
 }
+
+template Picture closing_picture(const ReportOf<2>&);
+template Picture closing_picture(const ReportOf<3>&);
+template Picture error_picture(const ReportOf<2>&);
+template Picture error_picture(const ReportOf<3>&);
+template std::vector<Picture> level_pictures(const ReportOf<3>&);
 
 }  // namespace bracket::apps

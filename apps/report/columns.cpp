@@ -118,14 +118,15 @@ double value(const std::string& name, const Level& level, const LevelSeconds& ar
   return real(column(name).value(level, around));
 }
 
-double sum(const std::string& name, const Report& report) {
+template <int dim> double sum(const std::string& name, const ReportOf<dim>& report) {
   double total = 0;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i)
     total += value(name, report.outcome.levels[i], report.around[i]);
   return total;
 }
 
-std::vector<std::vector<std::string>> level_rows(const Report& report, const std::vector<Shown>& shown) {
+template <int dim>
+std::vector<std::vector<std::string>> level_rows(const ReportOf<dim>& report, const std::vector<Shown>& shown) {
   std::vector<std::vector<std::string>> rows(1, {"level"});
   for (const Shown& each : shown) rows[0].push_back(each.heading);
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
@@ -142,5 +143,10 @@ std::vector<std::vector<std::string>> level_rows(const Report& report, const std
   }
   return rows;
 }
+
+template double sum(const std::string&, const ReportOf<2>&);
+template std::vector<std::vector<std::string>> level_rows(const ReportOf<2>&, const std::vector<Shown>&);
+template double sum(const std::string&, const ReportOf<3>&);
+template std::vector<std::vector<std::string>> level_rows(const ReportOf<3>&, const std::vector<Shown>&);
 
 }  // namespace bracket::apps

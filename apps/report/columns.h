@@ -33,7 +33,7 @@ std::string csv_values(const bounds::Level& level, const LevelSeconds& around);
 
 /// A number by its column's name, and its sum over the levels of a report. \pre there is such a column
 double value(const std::string& name, const bounds::Level& level, const LevelSeconds& around);
-double sum(const std::string& name, const Report& report);
+template <int dim> double sum(const std::string& name, const ReportOf<dim>& report);
 
 /// What a formulation spends its time on: the seconds are in the columns primal_assemble, dual_assemble and so on.
 inline constexpr std::array<const char*, 5> phase_names = {"assemble", "order", "factorise", "contact", "recover"};
@@ -44,6 +44,7 @@ struct Shown {
   std::vector<std::string> names;  ///< of columns
 };
 /// A row of headings, then one for each level: its index, and what is shown of it. \pre there are such columns
-std::vector<std::vector<std::string>> level_rows(const Report& report, const std::vector<Shown>& shown);
+template <int dim>
+std::vector<std::vector<std::string>> level_rows(const ReportOf<dim>& report, const std::vector<Shown>& shown);
 
 }  // namespace bracket::apps

@@ -14,20 +14,24 @@
 /// g in front of the side as it was. The shift of the sides goes on smoothly into their bodies (docs/report.md).
 namespace bracket::apps {
 
-struct DrawnShape {
+template <int dim> struct DrawnShapeOf {
   double factor = 1;  ///< m
   /// Of Mesh::vertices: the shift, continuous, linear on cells: harmonic but for contact, fixed and sliding facets.
-  std::vector<scene::Vector<2>> shift;
+  std::vector<scene::Vector<dim>> shift;
   /// Of Mesh::boundary: what is still to be added along FacetData::normal on a facet of a contact, by Bernstein
-  /// coefficients from its vertex 0 to its vertex 1, so that the shift is exact there; zero elsewhere.
-  std::vector<std::array<double, 3>> beside;
+  /// coefficients in the order of scene/on_facet.h, so that the shift is exact there; zero elsewhere.
+  std::vector<scene::FacetQuadratic<dim>> beside;
 };
+using DrawnShape = DrawnShapeOf<2>;
 
 /// A factor of two digits: displacements are drawn as at most 6 % of the length scale and gaps, unless that would make
 /// it less than 1, as at most 12 %.
-double magnification(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement);
+template <int dim>
+double magnification(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement);
 
-DrawnShape drawn_shape(const scene::Problem<2>& problem, double factor);
+template <int dim> DrawnShapeOf<dim> drawn_shape(const scene::Problem<dim>& problem, double factor);
+
+// Planar, all that follows.
 
 /// What DrawnShape::beside is at t of a boundary facet.
 scene::Vector<2> beside(const scene::Problem<2>& problem, const DrawnShape& shape, int facet, double t);

@@ -22,7 +22,7 @@ struct Between {
   double lower, upper;
 };
 
-struct Finding {
+template <int dim> struct FindingOf {
   Subject subject = Subject::bodies;
   int contact = -1;     ///< of a contact: index into Scene::contact
   std::string of;       ///< the contact's sides, the support's part; empty: all bodies
@@ -31,32 +31,34 @@ struct Finding {
   std::string unit;     ///< with a blank in front; empty: not known
   /// In which the exact value lies, where that is known; then people are shown it in place of what was computed.
   std::optional<Between> bounds = {};
-  std::optional<scene::Vector<2>> at = {};  ///< where it is so large
+  std::optional<scene::Vector<dim>> at = {};  ///< where it is so large
   std::string note = {};
   double rounding = 0;  ///< what was computed is 0 but for rounding up to this size: then people are shown 0
 
   Standing standing() const { return bounds ? Standing::guaranteed : Standing::computed; }
 };
+using Finding = FindingOf<2>;
 
 /// Of each contact: force (by λ_h; with bounds where the scene asks for it), length, pressed length, mean and largest
 /// pressure, as its law has it the largest tension, the shortening of springs, shear force and slip, the largest
 /// penetration (0: the displacement of the upper bound has none), largest gap, what its open part
 /// carries, the forces of its zones. Of each support the reaction of λ_h. Of all bodies the largest displacement u_h at
 /// a node, and the largest von Mises stress of ½ (σ(u_h) + λ_h), left out where the stress across the plane is not
-/// known.
-std::vector<Finding> findings(const Report& report);
+/// known. In space lengths along a contact are areas, and its resultant is told as well: what acts on the body of the
+/// first side.
+template <int dim> std::vector<FindingOf<dim>> findings(const ReportOf<dim>& report);
 
 /// What a finding is, in words: "largest pressure".
-std::string what(const Finding& finding);
+template <int dim> std::string what(const FindingOf<dim>& finding);
 
 /// Of which contact, support or bodies it is.
-std::string of_what(const Finding& finding);
+template <int dim> std::string of_what(const FindingOf<dim>& finding);
 /// Its bounds or else what was computed, its place and note. \param length the unit of places, with a blank in front
-std::string value_with_place(const Finding& finding, const std::string& length);
+template <int dim> std::string value_with_place(const FindingOf<dim>& finding, const std::string& length);
 
 /// Lines for a terminal, by contact, support and bodies.
-std::string findings_text(const Report& report);
+template <int dim> std::string findings_text(const ReportOf<dim>& report);
 /// A heading and a table; each cell escaped.
-std::string findings_html(const Report& report);
+template <int dim> std::string findings_html(const ReportOf<dim>& report);
 
 }  // namespace bracket::apps

@@ -18,7 +18,7 @@ std::string html_table(const std::vector<std::string>& head, const std::vector<s
                        int n_names, const std::string& caption = "", const std::string& kind = "");
 
 /// The scene as it was understood, all defaults filled in: bodies, boundary, contact, refinement, solution.
-std::string html_scene(const Report& report);
+template <int dim> std::string html_scene(const ReportOf<dim>& report);
 
 /// The style sheet.
 extern const char* const html_style;

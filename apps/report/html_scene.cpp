@@ -7,6 +7,8 @@
 
 #include "apps/report/html.h"
 #include "apps/report/pairs.h"
+#include "apps/report/samples.h"
+#include "apps/report/words.h"
 
 namespace bracket::apps {
 namespace {
@@ -28,16 +30,30 @@ class Range {
   double low_ = INFINITY, high_ = -INFINITY;
 };
 
-std::string material_text(const scene::Material<2>& material) {
+/// The components of a vector: "(1, 2)". \param component as a text
+template <int dim, class Component> std::string in_parentheses(const Component& component) {
+  std::string text;
+  for (int k = 0; k < dim; ++k) text += (k == 0 ? "(" : ", ") + component(k);
+  return text + ")";
+}
+
+template <int dim> std::string material_text(const scene::Material<dim>& material) {
   if (const auto& constants = material.constants())
     return fmt::format("E = {:.10g}, ν = {:.10g}", constants->young, constants->poisson);
   const auto& c = material.stiffness();
+  if constexpr (dim == 3) {
+    std::string text = "stiffness";
+    for (int i = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j)
+        if (c(i, j) != 0) text += fmt::format("{} c{}{} = {:.6g}", i + j == 0 ? "" : ",", i + 1, j + 1, c(i, j));
+    return text;
+  }
   return fmt::format("c₁₁ = {:.6g}, c₂₂ = {:.6g}, c₁₂ = {:.6g}, c₁₆ = {:.6g}, c₂₆ = {:.6g}, c₆₆ = {:.6g}", c(0, 0),
                      c(1, 1), c(0, 1), c(0, 2), c(1, 2), c(2, 2));
 }
 
-std::string bodies(const Report& report) {
-  const scene::Problem<2>& problem = report.outcome.problem;
+template <int dim> std::string bodies(const ReportOf<dim>& report) {
+  const scene::Problem<dim>& problem = report.outcome.problem;
   Rows rows;
   for (int body = 0; body < static_cast<int>(problem.bodies.size()); ++body) {
     int cells = 0;
@@ -47,47 +63,53 @@ std::string bodies(const Report& report) {
       ++cells;
       area += scene::volume(problem.mesh, cell);
     }
-    const scene::Vector<2>& force = problem.bodies[body].force;
+    const scene::Vector<dim>& force = problem.bodies[body].force;
     rows.push_back({escaped(problem.mesh.bodies[body]), material_text(problem.bodies[body].material),
-                    fmt::format("({:.6g}, {:.6g})", force.x(), force.y()), fmt::format("{:.6g}", area),
-                    fmt::to_string(cells)});
+                    in_parentheses<dim>([&](int k) { return fmt::format("{:.6g}", force[k]); }),
+                    fmt::format("{:.6g}", area), fmt::to_string(cells)});
   }
-  return html_table({"body", "material", "body force", "area", "cells"}, rows, 2, "Bodies");
+  return html_table({"body", "material", "body force", Words<dim>::size, "cells"}, rows, 2, "Bodies");
 }
 
 // What is prescribed on a facet, by the support that it is.
-std::string condition(const scene::Problem<2>& problem, int part) {
-  std::array<Range, 2> traction, displacement;
+template <int dim> std::string condition(const scene::Problem<dim>& problem, int part) {
+  std::array<Range, dim> traction, displacement;
   Range normal, pressure;
   scene::Support support = scene::Support::traction;
   for (std::size_t i = 0; i < problem.facets.size(); ++i) {
     if (problem.mesh.boundary[i].part != part) continue;
-    const scene::FacetData<2>& data = problem.facets[i];
+    const scene::FacetData<dim>& data = problem.facets[i];
     support = data.support;
-    for (int end = 0; end < 2; ++end) {
+    for (int end = 0; end < dim; ++end) {
       normal.add(data.normal_displacement[end]);
-      for (int k = 0; k < 2; ++k) displacement[k].add(data.displacement[end][k]);
+      for (int k = 0; k < dim; ++k) displacement[k].add(data.displacement[end][k]);
+      if constexpr (dim == 3) {
+        pressure.add(data.pressure[end]);
+        for (int k = 0; k < dim; ++k) traction[k].add(data.traction[end][k]);
+      }
     }
-    const int places = degree_of_load(data) > 1 ? 8 : 1;
-    for (int place = 0; place <= places; ++place) {
-      const double t = static_cast<double>(place) / places;
-      pressure.add(scene::pressure_at(data, t));
-      for (int k = 0; k < 2; ++k) traction[k].add(scene::traction_at(data, t)[k]);
+    if constexpr (dim == 2) {
+      const int places = degree_of_load(data) > 1 ? 8 : 1;
+      for (int place = 0; place <= places; ++place) {
+        const double t = static_cast<double>(place) / places;
+        pressure.add(scene::pressure_at(data, t));
+        for (int k = 0; k < dim; ++k) traction[k].add(scene::traction_at(data, t)[k]);
+      }
     }
   }
   switch (support) {
     case scene::Support::fixed:
-      return fmt::format("fixed: displacement ({}, {})", displacement[0].text(), displacement[1].text());
+      return "fixed: displacement " + in_parentheses<dim>([&](int k) { return displacement[k].text(); });
     case scene::Support::sliding: return fmt::format("sliding: normal displacement {}", normal.text());
     case scene::Support::contact: return "contact";
     case scene::Support::traction: break;
   }
   if (pressure.text() != "0") return "pressure " + pressure.text();
-  if (traction[0].text() == "0" && traction[1].text() == "0") return "free";
-  return fmt::format("traction ({}, {})", traction[0].text(), traction[1].text());
+  if (std::ranges::all_of(traction, [](const Range& range) { return range.text() == "0"; })) return "free";
+  return "traction " + in_parentheses<dim>([&](int k) { return traction[k].text(); });
 }
 
-std::string boundary(const scene::Problem<2>& problem) {
+template <int dim> std::string boundary(const scene::Problem<dim>& problem) {
   Rows rows;
   for (int part = 0; part < static_cast<int>(problem.mesh.parts.size()); ++part) {
     int edges = 0;
@@ -100,48 +122,51 @@ std::string boundary(const scene::Problem<2>& problem) {
     rows.push_back({escaped(problem.mesh.parts[part]), condition(problem, part), fmt::format("{:.6g}", length),
                     fmt::to_string(edges)});
   }
-  return html_table({"boundary part", "condition, as the mesh carries it", "length", "edges"}, rows, 2,
-                    "Parts of the boundary");
+  return html_table({"boundary part", "condition, as the mesh carries it", Words<dim>::measure, Words<dim>::facets},
+                    rows, 2, "Parts of the boundary");
 }
 
-std::string contact(const Report& report) {
+template <int dim> std::string contact(const ReportOf<dim>& report) {
   Rows rows;
   for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair) {
     Range gap;
     int edges = 0;
-    for (const scene::ContactFacet& facet : report.outcome.problem.contact) {
+    for (const auto& facet : report.outcome.problem.contact) {
       if (facet.pair != pair) continue;
       ++edges;
-      for (const double value : {facet.lower[0], scene::at_middle(facet.lower), facet.lower[2]}) gap.add(value);
+      for (const double value : quadratic_at_nodes<dim>(facet.lower)) gap.add(value);
     }
     const auto& names = report.scene.contact[pair];
     rows.push_back(
         {escaped(name(names.first)), escaped(name(names.second)), law_text(names), gap.text(), fmt::to_string(edges)});
   }
-  return html_table({"first side", "second side", "law", "initial gap", "edges"}, rows, 3, "Contact pairs");
+  return html_table({"first side", "second side", "law", "initial gap", Words<dim>::facets}, rows, 3, "Contact pairs");
 }
 
-std::string settings(const scene::Scene<2>& scene) {
+template <int dim> std::string settings(const scene::Scene<dim>& scene) {
   const scene::Refine& refine = scene.refine;
-  return html_table({"setting", "value"},
-                    {{"plane", name(scene.plane)},
-                     {"solve.degree", fmt::to_string(scene.solve.degree)},
+  Rows rows = dim == 2 ? Rows{{"plane", name(scene.plane)}} : Rows{{"dim", "3"}};
+  const Rows more = {{"solve.degree", fmt::to_string(scene.solve.degree)},
                      {"solve.dual", name(scene.solve.dual)},
                      {"refine.strategy", name(refine.strategy)},
                      {"refine.target", fmt::to_string(refine.target)},
                      {"refine.bulk", fmt::to_string(refine.bulk)},
                      {"refine.max_levels", fmt::to_string(refine.max_levels)},
                      {"refine.max_cells", fmt::to_string(refine.max_cells)},
-                     {"refine.max_seconds", fmt::to_string(refine.max_seconds)}},
-                    1, "Settings, defaults filled in");
+                     {"refine.max_seconds", fmt::to_string(refine.max_seconds)}};
+  rows.insert(rows.end(), more.begin(), more.end());
+  return html_table({"setting", "value"}, rows, 1, "Settings, defaults filled in");
 }
 
 }  // namespace
 
-std::string html_scene(const Report& report) {
+template <int dim> std::string html_scene(const ReportOf<dim>& report) {
   std::string html = bodies(report) + "<h3>Boundary</h3>\n" + boundary(report.outcome.problem);
   if (!report.scene.contact.empty()) html += "<h3>Contact</h3>\n" + contact(report);
   return html + "<h3>Settings</h3>\n" + settings(report.scene);
 }
+
+template std::string html_scene(const ReportOf<2>&);
+template std::string html_scene(const ReportOf<3>&);
 
 }  // namespace bracket::apps

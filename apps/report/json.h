@@ -11,9 +11,10 @@ std::string name(scene::Status status);  ///< as JSON has it
 
 /// What every file of results begins with: schema, program and, where there is one, the scene.
 nlohmann::ordered_json heading();
-nlohmann::ordered_json heading(const scene::Scene<2>& scene);
+template <int dim> nlohmann::ordered_json heading(const scene::Scene<dim>& scene);
 
-nlohmann::ordered_json quality_json(const scene::Mesh<2>& mesh);
+/// In space the sizes of cells are volumes, angles those between faces, and there is the worst shape.
+template <int dim> nlohmann::ordered_json quality_json(const scene::Mesh<dim>& mesh);
 nlohmann::ordered_json oscillation_json(const scene::Oscillation& oscillation);
 
 /// As files hold it. Names may hold any bytes; what is not UTF-8 is replaced, rather than the report refused.

@@ -37,11 +37,11 @@ std::string growth(const Report& report, const Chain& chain, std::size_t place, 
 
 }  // namespace
 
-std::string pair_name(const scene::ContactPair<2>& pair) {
+template <int dim> std::string pair_name(const scene::ContactPair<dim>& pair) {
   return pair.name.empty() ? name(pair.first) + " on " + name(pair.second) : pair.name;
 }
 
-std::string law_text(const scene::ContactPair<2>& pair) {
+template <int dim> std::string law_text(const scene::ContactPair<dim>& pair) {
   switch (pair.law) {
     case scene::Law::frictionless: return "without friction";
     case scene::Law::bonded: return "bonded";
@@ -54,10 +54,15 @@ std::string law_text(const scene::ContactPair<2>& pair) {
   return "";
 }
 
-PairSummary summary(const Report& report, int pair) {
+template std::string pair_name(const scene::ContactPair<2>&);
+template std::string pair_name(const scene::ContactPair<3>&);
+template std::string law_text(const scene::ContactPair<2>&);
+template std::string law_text(const scene::ContactPair<3>&);
+
+template <> PairSummary<2> summary(const Report& report, int pair) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const double rounding = rounding_of_pressure(problem, report.outcome.stress, report.contact, pair);
-  PairSummary result;
+  PairSummary<2> result;
   for (const Chain& chain : chains(problem, pair))
     for (std::size_t i = 0; i < chain.size(); ++i) {
       const int first = problem.contact[chain[i]].first;

@@ -82,9 +82,9 @@ std::string interval_text(double lower, double upper, const std::string& unit) {
   return low == high ? low + unit : fmt::format("{} … {}{}", low, high, unit);
 }
 
-std::string told(const Report& report, std::size_t quantity) {
+template <int dim> std::string told(const ReportOf<dim>& report, std::size_t quantity) {
   const bounds::QuantityInterval& interval = report.outcome.quantities[quantity];
-  const Units units = units_of(report.scene.units);
+  const Units units = units_of(report.scene.units, dim);
   const std::string unit = interval.zone >= 0 ? units.force : unit_of(report.scene.quantities[quantity], units);
   const std::string note = interval.weighted ? "   weighted: falls to zero where it meets a support or a contact" : "";
   const bool below = std::isfinite(interval.lower), above = std::isfinite(interval.upper);
@@ -95,12 +95,12 @@ std::string told(const Report& report, std::size_t quantity) {
   return fmt::format("{}   ± {}", text, half_width(interval.lower, interval.upper, unit));
 }
 
-std::string told_energy(const Report& report, double lower, double upper) {
-  const std::string unit = units_of(report.scene.units).energy;
+template <int dim> std::string told_energy(const ReportOf<dim>& report, double lower, double upper) {
+  const std::string unit = units_of(report.scene.units, dim).energy;
   return fmt::format("{}   ± {}", interval_text(lower, upper, unit), half_width(lower, upper, unit));
 }
 
-std::string quantity_lines(const Report& report, std::size_t columns) {
+template <int dim> std::string quantity_lines(const ReportOf<dim>& report, std::size_t columns) {
   std::string text;
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
     if (const auto& one = report.outcome.quantities[i]; one.zone < 0) {
@@ -117,7 +117,7 @@ std::string csv_text(const std::string& text) {
   return "\"" + quoted + "\"";
 }
 
-std::string quantities_csv(const Report& report) {
+template <int dim> std::string quantities_csv(const ReportOf<dim>& report) {
   std::string text = "name,kind,cells,lower,upper,s,seconds\n";
   for (const auto& interval : report.outcome.quantities)
     for (const auto& level : interval.levels)
@@ -125,5 +125,14 @@ std::string quantities_csv(const Report& report) {
                           level.lower, level.upper, level.s, level.seconds);
   return text;
 }
+
+template std::string told(const ReportOf<2>&, std::size_t);
+template std::string told_energy(const ReportOf<2>&, double, double);
+template std::string quantity_lines(const ReportOf<2>&, std::size_t);
+template std::string quantities_csv(const ReportOf<2>&);
+template std::string told(const ReportOf<3>&, std::size_t);
+template std::string told_energy(const ReportOf<3>&, double, double);
+template std::string quantity_lines(const ReportOf<3>&, std::size_t);
+template std::string quantities_csv(const ReportOf<3>&);
 
 }  // namespace bracket::apps

@@ -22,13 +22,13 @@ std::string interval_text(double lower, double upper, const std::string& unit);
 
 /// What a quantity is, without its name: "412.31 … 412.38 N   ± 0.008 %", the latter being half its width by its size;
 /// or what is missing. \param quantity index into Outcome::quantities
-std::string told(const Report& report, std::size_t quantity);
-/// The same of an energy by thickness.
-std::string told_energy(const Report& report, double lower, double upper);
+template <int dim> std::string told(const ReportOf<dim>& report, std::size_t quantity);
+/// The same of an energy, in the plane by thickness.
+template <int dim> std::string told_energy(const ReportOf<dim>& report, double lower, double upper);
 
 /// The mark of what is guaranteed, the name and what it is, a line for each quantity that was asked for by name.
 /// \param columns for the names at least
-std::string quantity_lines(const Report& report, std::size_t columns);
+template <int dim> std::string quantity_lines(const ReportOf<dim>& report, std::size_t columns);
 
 /// A text as a field of CSV.
 std::string csv_text(const std::string& text);

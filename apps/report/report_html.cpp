@@ -14,6 +14,7 @@
 #include "apps/report/report.h"
 #include "apps/report/shares.h"
 #include "apps/report/units.h"
+#include "apps/report/words.h"
 
 namespace bracket::apps {
 namespace {
@@ -27,20 +28,20 @@ std::string bound(const std::string& own, const std::string& other) {
                      std::string(differ, own.end()));
 }
 
-std::string ending(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string ending(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   if (outcome.status == scene::Status::budget) return "budget spent: " + escaped(outcome.reason);
   return report.scene.refine.target > 0 ? fmt::format("the target of {:g} is reached", report.scene.refine.target)
                                         : "done; no target was asked";
 }
 
-std::string answer(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string answer(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   if (outcome.guarantee == "none")
     return "<section class=\"answer none\"><p><b>No guaranteed bounds:</b> " + escaped(outcome.reason) +
            ". The plain values of this run are in report.json.</p></section>\n";
   const Decimals energy = enclosed_in_decimals(outcome.lower, outcome.upper);
-  const std::string unit = escaped(units_of(report.scene.units).energy);
+  const std::string unit = escaped(units_of(report.scene.units, dim).energy);
   return fmt::format(
       "<section class=\"answer\">\n<dl class=\"bounds\"><dt>guaranteed relative error</dt><dd><b>{}</b></dd>"
       "<dt>energy at least</dt><dd>{}{}</dd><dt>energy at most</dt><dd>{}{}</dd></dl>\n"
@@ -51,7 +52,7 @@ std::string answer(const Report& report) {
       outcome.levels.size() == 1 ? "" : "s", ending(report));
 }
 
-std::string quantities(const Report& report) {
+template <int dim> std::string quantities(const ReportOf<dim>& report) {
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
     const bounds::QuantityInterval& one = report.outcome.quantities[i];
@@ -66,7 +67,7 @@ std::string quantities(const Report& report) {
                               "The exact value lies in the interval; cells: of the last mesh it was computed on");
 }
 
-std::string scope(const Report& report) {
+template <int dim> std::string scope(const ReportOf<dim>& report) {
   const scene::Oscillation& data = report.outcome.problem.oscillation;
   const double moved = std::max({data.traction, data.displacement, data.gap});
   const bool exact = moved < 1e-13;
@@ -85,10 +86,11 @@ std::string scope(const Report& report) {
   const std::string fixed_data =
       exact ? "<li>The given functions are carried exactly by the mesh.</li>\n"
             : fmt::format(
-                  "<li>The bounds hold for the given functions as they are fixed on the edges of the first mesh, "
+                  "<li>The bounds hold for the given functions as they are fixed on the {} of the first mesh, "
                   "which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} of their largest "
                   "values at most, and the energy by about {:.1e}.</li>\n",
-                  data.traction, data.displacement, data.gap, report.outcome.levels.back().oscillation_energy);
+                  Words<dim>::facets, data.traction, data.displacement, data.gap,
+                  report.outcome.levels.back().oscillation_energy);
   return fmt::format(
       "<h2>What this says, and what it does not</h2>\n<div class=\"scope\"><div><h3>Guaranteed</h3><ul>\n"
       "<li>The potential energy of the exact elastic solution, for gaps as they are written and for loads and "
@@ -102,14 +104,14 @@ std::string scope(const Report& report) {
       "moved the displacements out of contact and the stresses into balance exactly, and enclosed every rounding error "
       "of both energies.</li>\n{}</ul></div><div><h3>Not guaranteed</h3><ul>\n"
       "{}"
-      "<li>The bodies are the triangles of the mesh, coordinates as they are rounded; sides whose directions differ by "
+      "<li>The bodies are the {} of the mesh, coordinates as they are rounded; sides whose directions differ by "
       "less than 1e-6 are taken as parallel.</li>\n"
-      "<li>Large displacements, curved edges and material laws other than linear elasticity "
+      "<li>Large displacements, curved {} and material laws other than linear elasticity "
       "are outside of "
       "the model. Stresses at a point may be further off than their norm.</li>\n</ul></div></div>\n",
       rounded_up(std::sqrt(2 * std::max(0.0, report.outcome.upper - report.outcome.lower))),
       percent(report.outcome.relative_error_bound), report.outcome.guarantee, exact ? fixed_data : "",
-      step + sampled + (exact ? "" : fixed_data));
+      step + sampled + (exact ? "" : fixed_data), Words<dim>::cells, Words<dim>::facets);
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -139,7 +141,7 @@ std::string answer_pictures(std::span<const Drawing> drawings) {
   return figures(drawings.first(std::min(first_pictures, drawings.size())), "pictures first");
 }
 
-std::string other_pictures(const Report& report, std::span<const Drawing> drawings) {
+template <int dim> std::string other_pictures(const ReportOf<dim>& report, std::span<const Drawing> drawings) {
   std::string html;
   if (drawings.size() > first_pictures)
     html = "<h2>How the bounds close, and where the error is</h2>\n" + figures(drawings.subspan(first_pictures));
@@ -148,7 +150,7 @@ std::string other_pictures(const Report& report, std::span<const Drawing> drawin
   return html;
 }
 
-std::string levels(const Report& report) {
+template <int dim> std::string levels(const ReportOf<dim>& report) {
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i) {
     const bounds::Level& level = report.outcome.levels[i];
@@ -169,7 +171,7 @@ std::string levels(const Report& report) {
                     "Bounds of each mesh, guaranteed; closed: rows of contact by all rows; seconds since the start");
 }
 
-std::string seconds(const Report& report) {
+template <int dim> std::string seconds(const ReportOf<dim>& report) {
   const auto in_all = [&](const std::string& column) { return fmt::format("{:.2f}", sum(column, report)); };
   std::vector<std::string> head = {"formulation"};
   head.insert(head.end(), phase_names.begin(), phase_names.end());
@@ -184,11 +186,12 @@ std::string seconds(const Report& report) {
          html_table(head, {row("displacements", "primal"), row("stresses", "dual")}, 1,
                     "Seconds of each formulation, by stage, all levels together") +
          fmt::format(
-             "<p>The two run side by side. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, quantities {}, "
+             "<p>The two run {}. Besides: read {:.2f}, mesh {}, estimate {}, certify {}, quantities {}, "
              "write {}, pictures "
              "{:.2f} seconds.</p>\n",
-             report.read, in_all("seconds_mesh"), in_all("seconds_estimate"), in_all("seconds_certify"),
-             in_all("seconds_quantities"), in_all("seconds_write"), report.pictures);
+             dim == 2 ? "side by side" : "one after the other", report.read, in_all("seconds_mesh"),
+             in_all("seconds_estimate"), in_all("seconds_certify"), in_all("seconds_quantities"),
+             in_all("seconds_write"), report.pictures);
 }
 
 std::string checks(const bounds::Checks& checks) {
@@ -213,17 +216,17 @@ std::string list(const char* title, const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string report_html(const Report& report, const std::vector<Drawing>& drawings) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string report_html(const ReportOf<dim>& report, const std::vector<Drawing>& drawings) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   const bool guaranteed = outcome.guarantee != "none";
   const std::string title = escaped(report.scene.title.empty() ? report.scene.file : report.scene.title);
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0} – Bracket</title>\n"
-      "<style>{1}</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1><p>{2} · plane {3}{4}</p></header>\n",
-      title, html_style, escaped(report.scene.file), name(report.scene.plane),
+      "<style>{1}</style>\n</head>\n<body>\n<main>\n<header><h1>{0}</h1><p>{2} · {3}{4}</p></header>\n",
+      title, html_style, escaped(report.scene.file), setting_of(report.scene),
       report.scene.units.empty() ? "" : " · units " + escaped(report.scene.units));
-  if (guaranteed) html += quantities(report);
+  if (guaranteed) html += apps::quantities(report);
   html += answer(report);
   if (guaranteed) html += answer_pictures(drawings);
   html += findings_html(report);
@@ -233,5 +236,8 @@ std::string report_html(const Report& report, const std::vector<Drawing>& drawin
   html += list("Not needed by this scene", outcome.skipped) + list("Notes", outcome.problem.mesh.notes);
   return html + "<footer>Bracket " + BRACKET_VERSION_STRING + "</footer>\n</main>\n</body>\n</html>\n";
 }
+
+template std::string report_html(const ReportOf<2>&, const std::vector<Drawing>&);
+template std::string report_html(const ReportOf<3>&, const std::vector<Drawing>&);
 
 }  // namespace bracket::apps

@@ -14,6 +14,7 @@
 #include "apps/report/quantities.h"
 #include "apps/report/shares.h"
 #include "apps/report/von_mises.h"
+#include "apps/report/words.h"
 #include "bounds/certificate/open_contact.h"
 
 namespace bracket::apps {
@@ -52,19 +53,22 @@ std::string name(scene::Status status) {
 
 Json heading() { return {{"schema", 1}, {"generator", "bracket"}, {"version", BRACKET_VERSION_STRING}}; }
 
-Json heading(const scene::Scene<2>& scene) {
+template <int dim> Json heading(const scene::Scene<dim>& scene) {
   Json json = heading();
+  if (dim == 3) json["dim"] = dim;
   json["title"] = scene.title;
   json["scene"] = scene.file;
   return json;
 }
 
-Json quality_json(const scene::Mesh<2>& mesh) {
+template <int dim> Json quality_json(const scene::Mesh<dim>& mesh) {
   const scene::Quality quality = scene::quality(mesh);
-  return {{"smallest_angle", quality.smallest_angle},
-          {"largest_angle", quality.largest_angle},
-          {"smallest_area", quality.smallest_area},
-          {"largest_area", quality.largest_area}};
+  Json json = {{"smallest_angle", quality.smallest_angle},
+               {"largest_angle", quality.largest_angle},
+               {fmt::format("smallest_{}", Words<dim>::size), quality.smallest_area},
+               {fmt::format("largest_{}", Words<dim>::size), quality.largest_area}};
+  if (dim == 3) json["smallest_shape"] = quality.smallest_shape;
+  return json;
 }
 
 Json oscillation_json(const scene::Oscillation& oscillation) {
@@ -91,35 +95,35 @@ Json level_json(const bounds::Level& level, const LevelSeconds& around) {
   return json;
 }
 
-Report report(const scene::Scene<2>& scene, const bounds::Outcome<2>& outcome) {
-  Report report{.scene = scene,
-                .outcome = outcome,
-                .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
-                .von_mises = largest_von_mises(outcome, scene.plane),
-                .around = {},
-                .missing = {}};
+template <int dim> ReportOf<dim> report(const scene::Scene<dim>& scene, const bounds::Outcome<dim>& outcome) {
+  ReportOf<dim> report{.scene = scene,
+                       .outcome = outcome,
+                       .contact = bounds::contact_state(outcome.problem, outcome.displacement, outcome.stress),
+                       .von_mises = largest_von_mises(outcome, scene.plane),
+                       .around = {},
+                       .missing = {}};
   double elapsed = 0;
   for (const bounds::Level& level : outcome.levels)
     report.around.push_back({.elapsed = elapsed += level.seconds.total});
   return report;
 }
 
-double relative_width(const bounds::Outcome<2>& outcome) {
+template <int dim> double relative_width(const bounds::Outcome<dim>& outcome) {
   const double size = std::max(std::abs(outcome.lower), std::abs(outcome.upper));
   return size > 0 ? (outcome.upper - outcome.lower) / size : 0;
 }
 
-Json share_json(const Report& report, std::size_t quantity) {
+template <int dim> Json share_json(const ReportOf<dim>& report, std::size_t quantity) {
   const auto known = share(report, quantity);
   return known ? Json{{"lower", known->lower}, {"upper", known->upper}} : Json();
 }
 
-bool error_is_rounding(const bounds::Outcome<2>& outcome) {
+template <int dim> bool error_is_rounding(const bounds::Outcome<dim>& outcome) {
   const double energy = std::max(std::abs(outcome.lower), std::abs(outcome.upper));
   return outcome.guarantee != "none" && outcome.indicator.sum <= std::numeric_limits<double>::epsilon() * energy;
 }
 
-Json quantities_json(const Report& report) {
+template <int dim> Json quantities_json(const ReportOf<dim>& report) {
   Json quantities = Json::array();
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
     const bounds::QuantityInterval& one = report.outcome.quantities[i];
@@ -145,7 +149,7 @@ Json quantities_json(const Report& report) {
   return quantities;
 }
 
-Json friction_json(const Report& report) {
+template <int dim> Json friction_json(const ReportOf<dim>& report) {
   Json all = Json::array();
   for (const bounds::FrictionForce& one : report.outcome.friction)
     all.push_back({{"contact", pair_name(report.scene.contact[one.contact])},
@@ -158,7 +162,7 @@ Json friction_json(const Report& report) {
 }
 
 /// The forces of a contact's zones.
-Json zones_json(const Report& report, int contact) {
+template <int dim> Json zones_json(const ReportOf<dim>& report, int contact) {
   Json zones = Json::array();
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
     if (const auto& one = report.outcome.quantities[i]; one.contact == contact && one.zone >= 0)
@@ -168,38 +172,39 @@ Json zones_json(const Report& report, int contact) {
 }
 
 /// What was computed of one of the rows' subjects by its key, with its bounds where there are some, and where it is.
-void put(Json& json, const Finding& row) {
+template <int dim> void put(Json& json, const FindingOf<dim>& row) {
   if (!std::isfinite(row.computed)) return;
   json[row.key] = row.computed;
   if (row.bounds) json[row.key + "_bounds"] = {{"lower", row.bounds->lower}, {"upper", row.bounds->upper}};
-  if (row.at) json[row.key + "_at"] = {row.at->x(), row.at->y()};
+  if (row.at) json[row.key + "_at"] = std::vector<double>(row.at->begin(), row.at->end());
 }
 
-Json contact_json(const Report& report, const std::vector<Finding>& rows) {
+template <int dim> Json contact_json(const ReportOf<dim>& report, const std::vector<FindingOf<dim>>& rows) {
   Json pairs = Json::array();
   for (int i = 0; i < static_cast<int>(report.scene.contact.size()); ++i) {
-    const PairSummary of = summary(report, i);
+    const PairSummary<dim> of = summary(report, i);
     Json& pair = pairs.emplace_back(Json{{"name", report.scene.contact[i].name},
                                          {"first", name(report.scene.contact[i].first)},
                                          {"second", name(report.scene.contact[i].second)},
                                          {"law", name(report.scene.contact[i].law)}});
-    for (const Finding& row : rows)
+    for (const FindingOf<dim>& row : rows)
       if (row.contact == i) put(pair, row);
-    pair["at"] = {of.at[0], of.at[1]};
+    pair["at"] = std::vector<double>(of.at.begin(), of.at.end());
     pair["grows"] = of.grows;
-    if (report.outcome.guarantee != "none" && !report.running) {
-      const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
-                                             report.outcome.levels.back().certificate, i);
-      pair["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
-    }
+    if constexpr (dim == 2)
+      if (report.outcome.guarantee != "none" && !report.running) {
+        const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
+                                               report.outcome.levels.back().certificate, i);
+        pair["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
+      }
     if (report.scene.contact[i].zones > 0) pair["zones"] = zones_json(report, i);
   }
   return pairs;
 }
 
-Json supports_json(const std::vector<Finding>& rows) {
+template <int dim> Json supports_json(const std::vector<FindingOf<dim>>& rows) {
   Json supports = Json::array();
-  for (const Finding& row : rows) {
+  for (const FindingOf<dim>& row : rows) {
     if (row.subject != Subject::support) continue;
     if (supports.empty() || supports.back()["part"] != row.of) supports.push_back({{"part", row.of}});
     put(supports.back(), row);
@@ -207,24 +212,24 @@ Json supports_json(const std::vector<Finding>& rows) {
   return supports;
 }
 
-Json bodies_json(const std::vector<Finding>& rows) {
+template <int dim> Json bodies_json(const std::vector<FindingOf<dim>>& rows) {
   Json json;
-  for (const Finding& row : rows)
+  for (const FindingOf<dim>& row : rows)
     if (row.subject == Subject::bodies) put(json, row);
   return json;
 }
 
-std::string report_json(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string report_json(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   const bounds::Level& last = outcome.levels.back();
-  const std::vector<Finding> rows = findings(report);
+  const std::vector<FindingOf<dim>> rows = findings(report);
   Json levels = Json::array();
   for (std::size_t i = 0; i < outcome.levels.size(); ++i)
     levels.push_back(level_json(outcome.levels[i], report.around[i]));
   Json json = heading(report.scene);
-  const Json found = {{"units", report.scene.units},
-                      {"plane", name(report.scene.plane)},
-                      {"degree", report.scene.solve.degree},
+  json["units"] = report.scene.units;
+  if (dim == 2) json["plane"] = name(report.scene.plane);
+  const Json found = {{"degree", report.scene.solve.degree},
                       {"dual", name(report.scene.solve.dual)},
                       {"guarantee", outcome.guarantee},
                       {"status", report.running ? "running" : name(outcome.status)},
@@ -255,11 +260,26 @@ std::string report_json(const Report& report) {
   return dump(json);
 }
 
-std::string history_csv(const Report& report) {
+template <int dim> std::string history_csv(const ReportOf<dim>& report) {
   std::string text = "level," + csv_names() + "\n";
   for (std::size_t i = 0; i < report.outcome.levels.size(); ++i)
     text += fmt::format("{},{}\n", i, csv_values(report.outcome.levels[i], report.around[i]));
   return text;
 }
+
+template Json heading(const scene::Scene<2>&);
+template Json quality_json(const scene::Mesh<2>&);
+template ReportOf<2> report(const scene::Scene<2>&, const bounds::Outcome<2>&);
+template double relative_width(const bounds::Outcome<2>&);
+template bool error_is_rounding(const bounds::Outcome<2>&);
+template std::string report_json(const ReportOf<2>&);
+template std::string history_csv(const ReportOf<2>&);
+template Json heading(const scene::Scene<3>&);
+template Json quality_json(const scene::Mesh<3>&);
+template ReportOf<3> report(const scene::Scene<3>&, const bounds::Outcome<3>&);
+template double relative_width(const bounds::Outcome<3>&);
+template bool error_is_rounding(const bounds::Outcome<3>&);
+template std::string report_json(const ReportOf<3>&);
+template std::string history_csv(const ReportOf<3>&);
 
 }  // namespace bracket::apps

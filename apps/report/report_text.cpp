@@ -14,11 +14,12 @@
 #include "apps/report/quantities.h"
 #include "apps/report/report.h"
 #include "apps/report/units.h"
+#include "apps/report/words.h"
 
 namespace bracket::apps {
 namespace {
 
-std::string explanation(const Report& report) {
+template <int dim> std::string explanation(const ReportOf<dim>& report) {
   if (report.outcome.guarantee == "none")
     return "No bound is printed; the plain values of this run are in report.json.\n";
   std::string text = fmt::format(
@@ -41,7 +42,7 @@ std::string explanation(const Report& report) {
 }
 
 /// What the formulations cost, a row each.
-std::string seconds_table(const Report& report) {
+template <int dim> std::string seconds_table(const ReportOf<dim>& report) {
   std::string text = fmt::format("\n{:<15}{:>10}", "Seconds", "unknowns");
   for (const char* name : phase_names) text += fmt::format("{:>10}", name);
   text += "\n";
@@ -53,16 +54,16 @@ std::string seconds_table(const Report& report) {
       text += fmt::format("{:>10.2f}", sum(fmt::format("{}_{}", formulation, phase), report));
     text += "\n";
   }
-  return text +
-         fmt::format(
-             "  (side by side); mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f},\n  write {:.2f}, "
-             "pictures {:.2f}\n",
-             sum("seconds_mesh", report), sum("seconds_estimate", report), sum("seconds_certify", report),
-             sum("seconds_quantities", report), sum("seconds_write", report), report.pictures);
+  return text + fmt::format(
+                    "  ({}); mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f},\n  write {:.2f}, "
+                    "pictures {:.2f}\n",
+                    dim == 2 ? "side by side" : "one after the other", sum("seconds_mesh", report),
+                    sum("seconds_estimate", report), sum("seconds_certify", report), sum("seconds_quantities", report),
+                    sum("seconds_write", report), report.pictures);
 }
 
 /// How the contact was found, and whether that was hard.
-std::string iterations_text(const Report& report) {
+template <int dim> std::string iterations_text(const ReportOf<dim>& report) {
   if (report.scene.contact.empty()) return "";
   constexpr int many = 30;
   const bounds::Level& last = report.outcome.levels.back();
@@ -80,9 +81,9 @@ std::string iterations_text(const Report& report) {
 }
 
 /// How far the last of Coulomb's steps is from the law.
-std::string friction_text(const Report& report) {
+template <int dim> std::string friction_text(const ReportOf<dim>& report) {
   if (report.outcome.friction.empty()) return "";
-  const std::string unit = units_of(report.scene.units).force;
+  const std::string unit = units_of(report.scene.units, dim).force;
   std::string text =
       "\nCoulomb's law: the force that the last step presses with near a place of the\ncontact, between bounds, and "
       "the "
@@ -103,7 +104,7 @@ std::string checks_text(const bounds::Checks& checks) {
   return text;
 }
 
-std::string data_text(const Report& report) {
+template <int dim> std::string data_text(const ReportOf<dim>& report) {
   const scene::Oscillation& data = report.outcome.problem.oscillation;
   const bounds::Level& last = report.outcome.levels.back();
   constexpr double rounding = 1e-13;
@@ -114,23 +115,23 @@ std::string data_text(const Report& report) {
   if (std::max({data.traction, data.displacement, data.gap}) < rounding)
     return "\nData: the given functions are carried exactly.\n" + changed;
   return fmt::format(
-             "\nData: fixed edge by edge, which moved tractions by {:.1e}, displacements by {:.1e} and gaps by {:.1e} "
-             "of their\n"
-             "      largest values, and the energy by about {:.1e}. The bounds hold for the fixed data.\n",
-             data.traction, data.displacement, data.gap, last.oscillation_energy) +
+             "\nData: fixed {0} by {0}, which moved tractions by {1:.1e}, displacements by {2:.1e} and gaps by "
+             "{3:.1e} of their\n"
+             "      largest values, and the energy by about {4:.1e}. The bounds hold for the fixed data.\n",
+             Words<dim>::facet, data.traction, data.displacement, data.gap, last.oscillation_energy) +
          changed;
 }
 
-std::string error_text(const bounds::Outcome<2>& outcome) {
+template <int dim> std::string error_text(const bounds::Outcome<dim>& outcome) {
   if (outcome.unstrained && outcome.lower < outcome.upper)
     return "nothing is strained, but for the rounding of the data";
   return fmt::format("≤ {}   of displacements and stresses (energy norm)", percent(outcome.relative_error_bound));
 }
 
 /// Of the problem that the bounds hold for, where it is not quite the scene's, a line each.
-std::string what_else(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
-  const std::string energy_unit = units_of(report.scene.units).energy;
+template <int dim> std::string what_else(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
+  const std::string energy_unit = units_of(report.scene.units, dim).energy;
   std::string text;
   if (!report.scene.curves.empty())
     text += "! of the last mesh's polygon" +
@@ -158,7 +159,7 @@ std::string what_else(const Report& report) {
 }
 
 /// What is narrowed level by level: a goal's interval or the energy's.
-const bounds::QuantityInterval* goal(const Report& report) {
+template <int dim> const bounds::QuantityInterval* goal(const ReportOf<dim>& report) {
   const auto found =
       std::ranges::find(report.outcome.quantities, report.scene.refine.goal, &bounds::QuantityInterval::name);
   return report.scene.refine.goal.empty() || found == report.outcome.quantities.end() ? nullptr : &*found;
@@ -169,20 +170,20 @@ constexpr std::size_t interval_columns = 45;
 
 }  // namespace
 
-std::string scene_text(const scene::Scene<2>& scene) {
+template <int dim> std::string scene_text(const scene::Scene<dim>& scene) {
   return within_columns((scene.title.empty() ? "" : scene.title + "\n") +
-                        fmt::format("Scene: {}; plane {}{}\n", scene.file, name(scene.plane),
+                        fmt::format("Scene: {}; {}{}\n", scene.file, setting_of(scene),
                                     scene.units.empty() ? "" : "; units " + scene.units));
 }
 
-std::string level_names(const scene::Scene<2>& scene) {
+template <int dim> std::string level_names(const scene::Scene<dim>& scene) {
   const std::string narrowed = scene.refine.goal.empty() ? "energy" : scene.refine.goal;
   return fmt::format(level_format, "level", "cells", "error", padded(narrowed + " so far", interval_columns),
                      "seconds");
 }
 
-std::string level_line(const Report& so_far) {
-  const bounds::Outcome<2>& outcome = so_far.outcome;
+template <int dim> std::string level_line(const ReportOf<dim>& so_far) {
+  const bounds::Outcome<dim>& outcome = so_far.outcome;
   const bounds::QuantityInterval* const asked = goal(so_far);
   const double lower = asked ? asked->lower : outcome.lower, upper = asked ? asked->upper : outcome.upper;
   const bool known = std::isfinite(lower) || std::isfinite(upper);
@@ -192,8 +193,8 @@ std::string level_line(const Report& so_far) {
                      fmt::format("{:.2f}", so_far.around.back().elapsed));
 }
 
-std::string headline(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string headline(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   if (outcome.guarantee == "none") return within_columns(fmt::format("no guaranteed bounds: {}\n", outcome.reason));
   const std::string error = "guaranteed error";
   std::size_t columns = error.size();
@@ -206,8 +207,8 @@ std::string headline(const Report& report) {
       fmt::format("{} {}  {}\n", sure, padded("energy", columns), told_energy(report, outcome.lower, outcome.upper)));
 }
 
-std::string report_text(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> std::string report_text(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   std::string text = "\n" + explanation(report) + findings_text(report) + friction_text(report) +
                      iterations_text(report) + checks_text(outcome.levels.back().checks) + data_text(report) +
                      seconds_table(report);
@@ -216,5 +217,16 @@ std::string report_text(const Report& report) {
   if (!outcome.skipped.empty()) text += fmt::format("Not needed: {}.\n", fmt::join(outcome.skipped, "; "));
   return within_columns(text);
 }
+
+template std::string scene_text(const scene::Scene<2>&);
+template std::string level_names(const scene::Scene<2>&);
+template std::string level_line(const ReportOf<2>&);
+template std::string headline(const ReportOf<2>&);
+template std::string report_text(const ReportOf<2>&);
+template std::string scene_text(const scene::Scene<3>&);
+template std::string level_names(const scene::Scene<3>&);
+template std::string level_line(const ReportOf<3>&);
+template std::string headline(const ReportOf<3>&);
+template std::string report_text(const ReportOf<3>&);
 
 }  // namespace bracket::apps

@@ -34,12 +34,28 @@ std::vector<double> samples(const std::vector<double>& coefficients) {
   return values;
 }
 
-std::vector<std::array<int, 3>> facets_of_cells(const scene::Mesh<2>& mesh) {
-  std::vector<std::array<int, 3>> result(mesh.cells.size(), {-1, -1, -1});
+template <> scene::FacetQuadratic<2> quadratic_at_nodes<2>(const scene::FacetQuadratic<2>& coefficients) {
+  return {coefficients[0], scene::at_middle(coefficients), coefficients[2]};
+}
+template <> scene::FacetQuadratic<3> quadratic_at_nodes<3>(const scene::FacetQuadratic<3>& coefficients) {
+  scene::FacetQuadratic<3> values = coefficients;
+  for (int e = 0; e < 3; ++e) {
+    const auto& [a, b] = scene::Simplex<2>::edges[e];
+    values[3 + e] = 0.5 * (coefficients[3 + e] + 0.5 * (coefficients[a] + coefficients[b]));
+  }
+  return values;
+}
+
+template <int dim> std::vector<std::array<int, std::size_t{dim} + 1>> facets_of_cells(const scene::Mesh<dim>& mesh) {
+  std::array<int, dim + 1> none;
+  none.fill(-1);
+  std::vector<std::array<int, dim + 1>> result(mesh.cells.size(), none);
   for (int i = 0; i < static_cast<int>(mesh.boundary.size()); ++i)
     result[mesh.boundary[i].cell][mesh.boundary[i].local] = i;
   return result;
 }
+template std::vector<std::array<int, 3>> facets_of_cells(const scene::Mesh<2>&);
+template std::vector<std::array<int, 4>> facets_of_cells(const scene::Mesh<3>&);
 
 std::vector<Chain> chained(const scene::Mesh<2>& mesh, const std::vector<int>& facets) {
   const auto ends = [&](int i) { return mesh.boundary[facets[i]].vertices; };
@@ -80,7 +96,9 @@ std::vector<Chain> chains(const scene::Problem<2>& problem, int pair) {
 
 namespace {
 
-double largest_pressure(const scene::Problem<2>& problem, const std::vector<bounds::ContactState>& contact, int pair) {
+template <int dim>
+double largest_pressure(const scene::Problem<dim>& problem, const std::vector<bounds::ContactState>& contact,
+                        int pair) {
   double largest = 0;
   for (std::size_t i = 0; i < problem.contact.size(); ++i)
     if (problem.contact[i].pair == pair) largest = std::max(largest, std::ranges::max(contact[i].pressure));
@@ -89,21 +107,27 @@ double largest_pressure(const scene::Problem<2>& problem, const std::vector<boun
 
 }  // namespace
 
-double rounding_of_pressure(const scene::Problem<2>& problem, const scene::Stress<2>& stress,
+template <int dim>
+double rounding_of_pressure(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
                             const std::vector<bounds::ContactState>& contact, int pair) {
   constexpr double of_stress = 1e-11;  // the certificate drops what is less
-  const scene::Mesh<2>& mesh = problem.mesh;
+  const scene::Mesh<dim>& mesh = problem.mesh;
   std::vector<char> touches(mesh.bodies.size(), 0);
-  for (const scene::ContactFacet& facet : problem.contact)
+  for (const scene::ContactFacetOf<dim>& facet : problem.contact)
     for (const int side : {facet.first, facet.second})
       if (facet.pair == pair && side >= 0) touches[mesh.cell_body[mesh.boundary[side].cell]] = 1;
   double largest = 0;
   for (std::size_t c = 0; c < stress.cell.size(); ++c) {
     if (!touches[mesh.cell_body[c]]) continue;
-    for (const scene::Voigt<2>& s : stress.cell[c]) largest = std::max(largest, s.norm());
+    for (const scene::Voigt<dim>& s : stress.cell[c]) largest = std::max(largest, s.norm());
   }
   return std::max(of_stress * largest, bounds::Checks::tolerance * largest_pressure(problem, contact, pair));
 }
+
+template double rounding_of_pressure(const scene::Problem<2>&, const scene::Stress<2>&,
+                                     const std::vector<bounds::ContactState>&, int);
+template double rounding_of_pressure(const scene::Problem<3>&, const scene::Stress<3>&,
+                                     const std::vector<bounds::ContactState>&, int);
 
 bool presses(const bounds::ContactState& state, double rounding) { return std::ranges::max(state.pressure) > rounding; }
 

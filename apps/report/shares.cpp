@@ -15,13 +15,13 @@ namespace {
 using bounds::QuantityInterval;
 using scene::Enclosure;
 
-bool is_stretch(const Report& report, std::size_t quantity) {
+template <int dim> bool is_stretch(const ReportOf<dim>& report, std::size_t quantity) {
   if (report.outcome.quantities[quantity].zone >= 0) return true;
   const auto& asked = report.scene.quantities[quantity];
   return is_pressing_force(asked) && asked.stretch;
 }
 
-bool is_total(const Report& report, std::size_t quantity, int contact) {
+template <int dim> bool is_total(const ReportOf<dim>& report, std::size_t quantity, int contact) {
   const QuantityInterval& one = report.outcome.quantities[quantity];
   if (one.zone >= 0 || one.contact != contact || one.weighted) return false;
   const auto& asked = report.scene.quantities[quantity];
@@ -44,7 +44,7 @@ Share share(const QuantityInterval& part, const QuantityInterval& total) {
   return result;
 }
 
-std::optional<Share> share(const Report& report, std::size_t quantity) {
+template <int dim> std::optional<Share> share(const ReportOf<dim>& report, std::size_t quantity) {
   const auto& quantities = report.outcome.quantities;
   const QuantityInterval& part = quantities[quantity];
   if (report.outcome.guarantee == "none" || !is_stretch(report, quantity)) return {};
@@ -61,7 +61,7 @@ Share in_percent(const Share& share) {
   return {lower(hundred * Enclosure(share.lower)), std::min(upper(hundred * Enclosure(share.upper)), 100.0)};
 }
 
-std::string share_text(const Report& report, std::size_t quantity) {
+template <int dim> std::string share_text(const ReportOf<dim>& report, std::size_t quantity) {
   const auto known = share(report, quantity);
   if (!known) return "";
   const auto [low, high] = in_percent(*known);
@@ -70,5 +70,10 @@ std::string share_text(const Report& report, std::size_t quantity) {
   if (known->upper == 1) return fmt::format("of the total at least {} %", from);
   return fmt::format("of the total {} to {} %", from, to);
 }
+
+template std::optional<Share> share(const ReportOf<2>&, std::size_t);
+template std::string share_text(const ReportOf<2>&, std::size_t);
+template std::optional<Share> share(const ReportOf<3>&, std::size_t);
+template std::string share_text(const ReportOf<3>&, std::size_t);
 
 }  // namespace bracket::apps

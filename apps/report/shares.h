@@ -18,12 +18,12 @@ Share share(const bounds::QuantityInterval& part, const bounds::QuantityInterval
 
 /// The share of a force on a stretch, or a zone, where the contact's whole force is asked for as well and both are
 /// known on one mesh; else, or where it may be anything, none. \param quantity index into Outcome::quantities
-std::optional<Share> share(const Report& report, std::size_t quantity);
+template <int dim> std::optional<Share> share(const ReportOf<dim>& report, std::size_t quantity);
 
 /// The same in percent, rounded outward.
 Share in_percent(const Share& share);
 
 /// "of the total 12.31 to 12.35 %", rounded outward; nothing without a share.
-std::string share_text(const Report& report, std::size_t quantity);
+template <int dim> std::string share_text(const ReportOf<dim>& report, std::size_t quantity);
 
 }  // namespace bracket::apps

@@ -19,11 +19,14 @@ std::optional<double> stress_across(const scene::Material<2>& material, scene::P
 
 /// √(½ ((σ₁ − σ₂)² + (σ₂ − σ₃)² + (σ₃ − σ₁)²))
 double von_mises(const scene::Voigt<2>& stress, double across);
+double von_mises(const scene::Voigt<3>& stress);
 
 /// Half the difference of the principal stresses in the plane.
 double largest_shear(const scene::Voigt<2>& stress);
 
 /// The principal stresses in the plane, the larger one first.
 std::array<double, 2> principal_stresses(const scene::Voigt<2>& stress);
+/// In space all three, the largest first.
+std::array<double, 3> principal_stresses(const scene::Voigt<3>& stress);
 
 }  // namespace bracket::apps

@@ -40,7 +40,7 @@ constexpr std::array known = {Unit{"m", Of::length, 1},
 
 }  // namespace
 
-Units units_of(const std::string& label) {
+Units units_of(const std::string& label, int dim) {
   std::array<const Unit*, 3> named = {};
   for (std::size_t begin = 0; begin <= label.size();) {
     const std::size_t end = std::min(label.find_first_of(",;", begin), label.size());
@@ -63,22 +63,24 @@ Units units_of(const std::string& label) {
   units.length = fmt::format(" {}", l);
   units.angle = " rad";
   units.area = fmt::format(" {}²", l);
+  units.volume = fmt::format(" {}³", l);
+  const bool space = dim == 3;
   if (force == nullptr) {
     units.stress = fmt::format(" {}", stress->name);
-    units.force = fmt::format(" {} {}", stress->name, l);
-    units.energy = fmt::format(" {} {}²", stress->name, l);
+    units.force = fmt::format(" {} {}{}", stress->name, l, space ? "²" : "");
+    units.energy = fmt::format(" {} {}{}", stress->name, l, space ? "³" : "²");
     units.body_force = fmt::format(" {}/{}", stress->name, l);
   } else {
     units.stress = stress != nullptr ? fmt::format(" {}", stress->name) : fmt::format(" {}/{}²", force->name, l);
-    units.force = fmt::format(" {}/{}", force->name, l);
-    units.energy = fmt::format(" {} {}/{}", force->name, l, l);
+    units.force = space ? fmt::format(" {}", force->name) : fmt::format(" {}/{}", force->name, l);
+    units.energy = space ? fmt::format(" {} {}", force->name, l) : fmt::format(" {} {}/{}", force->name, l, l);
     units.body_force = fmt::format(" {}/{}³", force->name, l);
   }
   units.energy_norm = fmt::format(" √({})", units.energy.substr(1));
   return units;
 }
 
-std::string unit_of(const scene::Quantity<2>& quantity, const Units& units) {
+template <int dim> std::string unit_of(const scene::Quantity<dim>& quantity, const Units& units) {
   if (quantity.weight) return "";
   switch (quantity.kind) {
     case scene::QuantityKind::displacement:
@@ -93,5 +95,8 @@ std::string unit_of(const scene::Quantity<2>& quantity, const Units& units) {
   }
   return {};
 }
+
+template std::string unit_of(const scene::Quantity<2>&, const Units&);
+template std::string unit_of(const scene::Quantity<3>&, const Units&);
 
 }  // namespace bracket::apps

@@ -22,25 +22,24 @@ std::string python(const std::string& text) {
 
 constexpr const char* script =
     R"py(# Opens this run in ParaView: paraview --script=view.py (in this folder), or File, Load State.
-# Bodies and contact lines are where the pictures of the report have them: displacements and gaps are magnified alike
+# Bodies and contact {4} are where the pictures of the report have them: displacements and gaps are magnified alike
 # (by "drawn_factor"), so that bodies touch where contact is closed and overlap nowhere.
 import os
 
 from paraview.simple import (ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar,
                              PVDReader, Render, ResetCamera, Show, Threshold, WarpByVector)
 
-TITLE = {}
-BODIES = [{}]  # by the numbers in "body"
-PAIRS = [{}]  # by the numbers in "pair"
-VON_MISES = {}  # False: a stiffness does not tell the stress across the plane
+TITLE = {0}
+BODIES = [{1}]  # by the numbers in "body"
+PAIRS = [{2}]  # by the numbers in "pair"
+VON_MISES = {3}  # False: a stiffness does not tell the stress across the plane
 
 folder = os.path.dirname(os.path.abspath(globals().get("__file__", "view.py")))
 run = PVDReader(registrationName=TITLE, FileName=os.path.join(folder, "solution.pvd"))
 GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
 GetAnimationScene().GoToLast()
 view = GetActiveViewOrCreate("RenderView")
-view.InteractionMode = "2D"
-
+{5}
 
 def part(name, cells, last):
     """The cells of a kind, where they are drawn."""
@@ -69,9 +68,9 @@ names = GetColorTransferFunction("body")  # for whoever colours by "body"
 names.InterpretValuesAsCategories = 1
 names.Annotations = [text for i, name in enumerate(BODIES) for text in (str(i), name)]
 if PAIRS:
-    lines = Show(part("contact", "pair", len(PAIRS) - 1), view)
-    lines.LineWidth = 4
-    colour(lines, "pressure", "pressure", "Upper Right Corner")
+    {4} = Show(part("contact", "pair", len(PAIRS) - 1), view)
+    {6}
+    colour({4}, "pressure", "pressure", "Upper Right Corner")
 ResetCamera(view)
 Render(view)
 )py";
@@ -84,13 +83,20 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string paraview_view(const Report& report) {
-  const scene::Problem<2>& problem = report.outcome.problem;
+template <int dim> std::string paraview_view(const ReportOf<dim>& report) {
+  const scene::Problem<dim>& problem = report.outcome.problem;
   std::vector<std::string> pairs;
   for (const auto& pair : report.scene.contact) pairs.push_back(pair_name(pair));
+  bool is_known = true;  // the whole stress, in the plane that across it too
+  if constexpr (dim == 2) is_known = knows_stress_across(problem, report.scene.plane);
+  const char* const contact = dim == 2 ? "lines" : "faces";
   return fmt::format(fmt::runtime(script), python(report.scene.title.empty() ? "Bracket" : report.scene.title),
-                     listed(problem.mesh.bodies), listed(pairs),
-                     knows_stress_across(problem, report.scene.plane) ? "True" : "False");
+                     listed(problem.mesh.bodies), listed(pairs), is_known ? "True" : "False", contact,
+                     dim == 2 ? "view.InteractionMode = \"2D\"\n" : "view.InteractionMode = \"3D\"\n",
+                     dim == 2 ? "lines.LineWidth = 4" : "bodies.Opacity = 0.5  # faces of contact lie between them");
 }
+
+template std::string paraview_view(const ReportOf<2>&);
+template std::string paraview_view(const ReportOf<3>&);
 
 }  // namespace bracket::apps

@@ -43,7 +43,7 @@ template <class Values> Voigt<2> weighted(const std::vector<double>& factors, co
 
 }  // namespace
 
-LargestVonMises largest_von_mises(const bounds::Outcome<2>& outcome, scene::Plane plane) {
+template <> LargestVonMises largest_von_mises(const bounds::Outcome<2>& outcome, scene::Plane plane) {
   const auto& [problem, displacement, stress] = std::tie(outcome.problem, outcome.displacement, outcome.stress);
   const auto points = sample_points(scene::stress_degree(displacement.degree), stress.degree);
   LargestVonMises largest;

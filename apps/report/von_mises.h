@@ -6,6 +6,9 @@
 namespace bracket::apps {
 
 /// Of the fields of a run's last level.
-LargestVonMises largest_von_mises(const bounds::Outcome<2>& outcome, scene::Plane plane);
+/// \param plane of two dimensions
+template <int dim> LargestVonMisesOf<dim> largest_von_mises(const bounds::Outcome<dim>& outcome, scene::Plane plane);
+template <> LargestVonMises largest_von_mises(const bounds::Outcome<2>& outcome, scene::Plane plane);
+template <> LargestVonMisesOf<3> largest_von_mises(const bounds::Outcome<3>& outcome, scene::Plane plane);
 
 }  // namespace bracket::apps

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar but for the collection.
 #include "apps/report/vtk.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 #include "apps/report/deformed.h"
 #include "apps/report/samples.h"
 #include "apps/report/stresses.h"
-#include "apps/report/vtk_file.h"
+#include "apps/report/vtk_about.h"
 #include "scene/offsets.h"
 #include "scene/parallel.h"
 
@@ -68,8 +69,6 @@ template <class Factors, class Values> auto sum(const Factors& factors, const Va
 /// VTK's numbers for triangles: linear, quadratic, Lagrange's of the order that its points tell.
 int cell_type(int order) { return order == 1 ? 5 : order == 2 ? 22 : 69; }
 
-const std::vector<std::string> tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};  // as VTK has symmetric ones
-
 /// The stresses at points, both of them and what is told of their mean.
 struct Stresses {
   std::vector<double> of_displacement, equilibrated, von_mises, principal;
@@ -96,26 +95,6 @@ void set_stresses(Stresses& stresses, std::size_t point, const scene::Material<2
   stresses.principal[2 * point + 1] = smaller;
 }
 
-/// What holds of a run so far: names, units, bounds.
-std::vector<VtkField> about(const Report& report, double drawn_factor) {
-  const bounds::Outcome<2>& outcome = report.outcome;
-  std::vector<VtkField> fields = {{"title", {}, 1, {report.scene.title}},
-                                  {"units", {}, 1, {report.scene.units}},
-                                  {"guarantee", {}, 1, {outcome.guarantee}},
-                                  {"energy", {outcome.lower, outcome.upper}, 2},
-                                  {"relative_error_bound", {outcome.relative_error_bound}},
-                                  {"drawn_factor", {drawn_factor}},
-                                  {"body_names", {}, 1, outcome.problem.mesh.bodies}};
-  VtkField pairs{"pair_names", {}, 1}, names{"quantity_names", {}, 1}, quantities{"quantities", {}, 2};
-  for (const auto& pair : report.scene.contact) pairs.texts.push_back(pair_name(pair));
-  for (const bounds::QuantityInterval& each : outcome.quantities) {
-    names.texts.push_back(each.name);
-    quantities.numbers.insert(quantities.numbers.end(), {each.lower, each.upper});
-  }
-  fields.insert(fields.end(), {pairs, names, quantities});
-  return fields;
-}
-
 DrawnShape shape_of(const Report& report) {
   return drawn_shape(report.outcome.problem, magnification(report.outcome.problem, report.outcome.displacement));
 }
@@ -132,7 +111,7 @@ template <class Number> void set(std::vector<Number>& values, std::size_t point,
 
 }  // namespace
 
-std::string solution_vtu(const Report& report) {
+template <> std::string solution_vtu(const Report& report) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const scene::Displacement<2>& displacement = report.outcome.displacement;
   const scene::Stress<2>& stress = report.outcome.stress;
@@ -191,7 +170,7 @@ std::string solution_vtu(const Report& report) {
   return vtu(std::move(grid));
 }
 
-std::string contact_vtu(const Report& report) {
+template <> std::string contact_vtu(const Report& report) {
   const scene::Problem<2>& problem = report.outcome.problem;
   const scene::Mesh<2>& mesh = problem.mesh;
   VtkGrid grid{.cell_type = 3, .points_per_cell = 2};  // ParaView 5.11 does not survive quadratic lines

@@ -19,17 +19,23 @@ namespace bracket::apps {
 /// Field data: title, units, guarantee, energy (lower, upper), relative_error_bound, drawn_factor (by which drawn has
 /// displacements and gaps magnified), body_names, pair_names,
 /// quantity_names, quantities (lower, upper of each).
-std::string solution_vtu(const Report& report);
+/// In space a cell has four parts, each a linear or quadratic tetrahedron, displacements three components, and all
+/// three principal stresses are told.
+template <int dim> std::string solution_vtu(const ReportOf<dim>& report);
+template <> std::string solution_vtu(const Report& report);
+template <> std::string solution_vtu(const ReportOf<3>& report);
 
 /// Each contact facet, at its place on the first side, as lines so short that fields look as they are. Point data:
 /// displacement of the first side, drawn, pressure (of λ_h), pressure_displacement (of σ(u_h) on the first side) and
 /// gap (what u_h leaves of it, g − r). Cell data: pair (index) and indicator (the facet's, shared out). Field data: as
-/// above.
-std::string contact_vtu(const Report& report);
+/// above. In space each is a quadratic triangle.
+template <int dim> std::string contact_vtu(const ReportOf<dim>& report);
+template <> std::string contact_vtu(const Report& report);
+template <> std::string contact_vtu(const ReportOf<3>& report);
 
 /// A script for ParaView that opens the collection beside it: bodies and contact lines where pictures have them,
 /// coloured by von Mises stress and pressure.
-std::string paraview_view(const Report& report);
+template <int dim> std::string paraview_view(const ReportOf<dim>& report);
 
 /// A ParaView collection of solution_k.vtu and, with a contact, contact_k.vtu of the levels k from `first` on, which
 /// stand for time.

@@ -65,10 +65,10 @@ std::vector<Vector<dim>> tractions(const scene::Mesh<dim>& mesh, const scene::St
 
 template <int dim>
 std::vector<Vector<dim>> contact_tractions(const scene::Problem<dim>& problem, const scene::Stress<dim>& stress,
-                                           const scene::ContactFacet& pair) {
+                                           const scene::ContactFacetOf<dim>& pair) {
   auto t = tractions(problem.mesh, stress, pair.first);
   if (!scene::is_loaded(problem.facets[pair.first])) return t;
-  const auto load = coefficients(scene::load(problem, pair.first), stress.degree);
+  const auto load = loads(problem, pair.first, stress.degree);
   for (std::size_t k = 0; k < t.size(); ++k) t[k] -= load[k] / scene::length(problem.mesh, pair.first);
   return t;
 }

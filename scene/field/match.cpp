@@ -7,7 +7,6 @@
 #include <set>
 
 #include "scene/field/boxes.h"
-#include "scene/mesh/topology.h"
 #include "scene/field/raw_field.h"
 #include "scene/mesh/topology.h"
 #include "scene/text.h"

@@ -56,8 +56,9 @@ Structure structure_of(const AbaqusFile& file) {
 }
 
 /// Fills the model: first all nodes and elements, so that sets may come before what they hold.
-AbaqusModel model_of(const Structure& structure) {
+AbaqusModel model_of(const Structure& structure, int dimension) {
   AbaqusModel model;
+  model.raw.dimension = dimension;
   std::vector<std::vector<const AbaqusCard*>> cards = {structure.model};
   std::vector<AbaqusPlacement> places(1);
   for (const Instance& instance : structure.instances) {
@@ -189,9 +190,12 @@ AbaqusPlacement placement_of(const AbaqusCard& instance) {
 
 RawMesh read_abaqus(const std::filesystem::path& path) {
   const AbaqusFile file = read_abaqus_file(path);
-  AbaqusModel model = model_of(structure_of(file));
+  const bool solid = std::ranges::any_of(file.cards, [](const AbaqusCard& card) {
+    return card.keyword == "ELEMENT" && capitals(card.parameter("TYPE")).starts_with("C3D");
+  });
+  AbaqusModel model = model_of(structure_of(file), solid ? 3 : 2);
   model.raw.body_word = "element set";
-  model.raw.coordinate_rounding = rounding_of(model.as_written);
+  model.raw.coordinate_rounding = rounding_of(model.as_written, model.raw.dimension);
   add_names(model);
   std::map<std::string, int> others;
   for (const AbaqusScope& scope : model.scopes)

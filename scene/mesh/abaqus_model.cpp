@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: of the elements lines, triangles and quadrilaterals are kept.
+// Of the elements lines, triangles and quadrilaterals are kept, in space tetrahedra and triangles.
 #include "scene/mesh/abaqus_model.h"
 
 #include <fmt/format.h>
@@ -41,12 +41,22 @@ void add_nodes(AbaqusModel& model, AbaqusScope& scope, const AbaqusCard& card, c
 
 struct Type {
   int corners = 0;  // 0: not of those that are read
-  bool second_order = false, shell = false;
+  bool second_order = false, shell = false, solid = false;
+
+  std::size_t nodes() const {
+    if (!second_order) return corners;
+    return corners == 2 ? 3 : solid ? 10 : 2 * corners;
+  }
 };
 
 Type type_of(std::string type, const Line& line) {
-  for (const char* solid : {"C3D", "SC6", "SC8"})
-    if (type.starts_with(solid)) refuse(line, fmt::format("{}: the mesh is 3D, only plane elements are read", type));
+  for (const char* solid : {"C3D", "SC6", "SC8"}) {
+    if (!type.starts_with(solid)) continue;
+    while (type.size() > 4 && type.back() >= 'A' && type.back() <= 'Z') type.pop_back();  // H, I, M, T
+    if (type == "C3D4") return {4, false, false, true};
+    if (type == "C3D10") return {4, true, false, true};
+    refuse(line, fmt::format("{}: of a mesh that is 3D only tetrahedra are read, C3D4 and C3D10", type));
+  }
   for (const char* axisymmetric : {"CAX", "SAX", "MAX", "CGAX"})
     if (type.starts_with(axisymmetric))
       refuse(line, fmt::format("{}: only plane elements are read, not axisymmetric ones", type));
@@ -88,7 +98,9 @@ RawMesh::Element curved_line(const RawMesh& raw, RawMesh::Element line, int thir
 
 void add_elements(AbaqusModel& model, AbaqusScope& scope, const AbaqusCard& card) {
   const std::string type_name = capitals(card.parameter("TYPE")), set = card.parameter("ELSET");
-  const Type type = type_of(type_name, card.line);
+  Type type = type_of(type_name, card.line);
+  const bool space = model.raw.dimension == 3;
+  if (space && !type.solid && type.corners != 3) type.corners = 0;  // beside tetrahedra only triangles are sides
   AbaqusSet unnamed;
   AbaqusSet& named = set.empty() ? unnamed : scope.element_sets[capitals(set)];
   named.name = set;
@@ -103,8 +115,7 @@ void add_elements(AbaqusModel& model, AbaqusScope& scope, const AbaqusCard& card
       numbers.clear();
       continue;
     }
-    const std::size_t needed =
-        type.corners == 2 ? (type.second_order ? 3 : 2) : type.corners * (type.second_order ? 2 : 1);
+    const std::size_t needed = type.nodes();
     if (numbers.size() < needed + 1) {
       if (&line == &card.data.back())
         refuse(line, fmt::format("the element {} has {} nodes; {} has {}", tag, numbers.size() - 1, type_name, needed));
@@ -116,14 +127,18 @@ void add_elements(AbaqusModel& model, AbaqusScope& scope, const AbaqusCard& card
       refuse(line, fmt::format("the element {} is there twice", tag));
     RawMesh::Element element{.tag = tag};
     for (int k = 0; k < type.corners; ++k) element.corners[k] = node_of(scope, numbers[1 + k], tag, line);
-    if (type.corners == 2) {
-      if (type.second_order) element = curved_line(model.raw, element, node_of(scope, numbers[3], tag, line));
+    if (type.corners == 2 || (space && !type.solid)) {
+      if (type.corners == 2 && type.second_order)
+        element = curved_line(model.raw, element, node_of(scope, numbers[3], tag, line));
       scope.lines[tag] = static_cast<int>(model.raw.lines.size());
       named.lines.push_back(scope.lines[tag]);
       model.raw.lines.push_back(element);
     } else {
-      for (int k = 0; k < type.corners && type.second_order; ++k)
-        element.middles[k] = node_of(scope, numbers[1 + type.corners + k], tag, line);
+      constexpr std::array<std::array<int, 2>, 6> edges = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+      const int middles = static_cast<int>(needed) - type.corners;
+      for (int k = 0; k < middles; ++k)
+        element.middles[type.solid ? Simplex<3>::edge_between(edges[k][0], edges[k][1]) : k] =
+            node_of(scope, numbers[1 + type.corners + k], tag, line);
       scope.cells[tag] = static_cast<int>(model.raw.cells.size());
       scope.shell[scope.cells[tag]] = type.shell;
       named.cells.push_back(scope.cells[tag]);

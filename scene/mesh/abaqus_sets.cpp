@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: a side of an element is a line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -146,6 +145,16 @@ void add_sides(AbaqusModel& model, const AbaqusScope& where, const std::vector<i
     const int corners = of.corners[3] == -1 ? 3 : 4;
     if (side_name.empty()) {  // what of the elements is outside
       for (int k = 0; k < corners; ++k) surface.nodes.push_back(of.corners[k]);
+      continue;
+    }
+    if (model.raw.dimension == 3) {
+      constexpr std::array<std::array<int, 3>, 4> faces = {{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+      const int face = side_of(side_name, false, 4);
+      if (face == -1 || side_name[0] != 'S')
+        refuse(line, fmt::format("the element {} has no side '{}'", of.tag, side_name));
+      surface.lines.push_back(static_cast<int>(model.raw.lines.size()));
+      const auto& [a, b, c] = faces[face];
+      model.raw.lines.push_back({.tag = of.tag, .corners = {of.corners[a], of.corners[b], of.corners[c], -1}});
       continue;
     }
     const auto shell = where.shell.find(cell);

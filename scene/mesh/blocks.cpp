@@ -129,12 +129,7 @@ template <int dim> Mesh<dim> build_blocks(const std::vector<Block<dim>>& blocks,
 }
 
 /// As build_mesh(), before sides are joined.
-Mesh<3> with_bonds_open(const Scene<3>& scene) {
-  if (scene.given) return mesh_of_given(*scene.given, scene.mesh_where);
-  if (!scene.blocks.empty()) return build_blocks(scene.blocks, scene.mesh_where);
-  fail(Status::mesh, scene.mesh_where, "mesh files of three dimensions are not read yet");
-}
-Mesh<2> with_bonds_open(const Scene<2>& scene) {
+template <int dim> Mesh<dim> with_bonds_open(const Scene<dim>& scene) {
   if (scene.given) return mesh_of(raw_mesh_of(*scene.given), scene, scene.mesh_where);
   if (scene.mesh_file.empty()) return build_blocks(scene.blocks, scene.mesh_where);
   RawMesh raw;

@@ -99,7 +99,11 @@ std::vector<RawMesh::Set> sets_of(const GmshFile& file, Tag dimension, const std
   std::vector<RawMesh::Set> sets;
   for (auto& [tag, places] : members) {
     const auto named = file.names.find({dimension, tag});
-    std::string name = !grouped                    ? fmt::format("{}_{}", dimension == 1 ? "curve" : "surface", tag)
+    std::string name = !grouped                    ? fmt::format("{}_{}",
+                                              dimension == 1   ? "curve"
+                                                                 : dimension == 2 ? "surface"
+                                                                                  : "volume",
+                                                                 tag)
                        : named == file.names.end() ? std::to_string(tag)
                                                    : named->second;
     if (std::ranges::find(sets, name, &RawMesh::Set::name) != sets.end())
@@ -125,6 +129,29 @@ std::vector<RawMesh::Element> raw_elements(const std::vector<GmshFile::Element>&
   return result;
 }
 
+/// Tetrahedra and the triangles on their sides.
+void add_solids(RawMesh& raw, GmshFile& file, const NodeIndex& index, const std::string& where) {
+  raw.dimension = 3;
+  raw.body_word = "physical volume";
+  file.solids = without_copies(file.solids, file.groups);
+  for (const GmshFile::Element& element : file.solids) {
+    RawMesh::Element& solid = raw.cells.emplace_back(RawMesh::Element{.tag = element.tag});
+    for (int k = 0; k < 4; ++k) solid.corners[k] = index(element.nodes[k], "the tetrahedron", element.tag);
+    constexpr std::array<std::array<int, 2>, 6> middles = {{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {2, 3}, {1, 3}}};
+    for (int e = 0; e < 6 && element.second_order; ++e)
+      solid.middles[Simplex<3>::edge_between(middles[e][0], middles[e][1])] =
+          index(element.nodes[4 + e], "the tetrahedron", element.tag);
+  }
+  for (const GmshFile::Element& element : file.cells)
+    if (element.corners == 4)
+      fail(Status::mesh, where,
+           fmt::format("the quadrilateral {} is no side of a tetrahedron; of a mesh that is 3D triangles are read",
+                       element.tag));
+  raw.lines = raw_elements(file.cells, index);
+  raw.bodies = sets_of(file, 3, file.solids, where);
+  raw.parts = sets_of(file, 2, file.cells, where);
+}
+
 }  // namespace
 
 bool is_gmsh_text(std::string_view text) {
@@ -147,14 +174,18 @@ RawMesh read_gmsh(const std::filesystem::path& path) {
   RawMesh raw;
   raw.body_word = "physical surface";
   raw.nodes = std::move(file.nodes);
-  raw.coordinate_rounding = rounding_of(raw.nodes);
+  raw.coordinate_rounding = rounding_of(raw.nodes, file.solids.empty() ? 2 : 3);
   file.cells = without_copies(file.cells, file.groups);
   file.lines = without_copies(file.lines, file.groups);
   const NodeIndex index(raw.nodes, where);
-  raw.cells = raw_elements(file.cells, index);
-  raw.lines = raw_elements(file.lines, index);
-  raw.bodies = sets_of(file, 2, file.cells, where);
-  raw.parts = sets_of(file, 1, file.lines, where);
+  if (!file.solids.empty()) {
+    add_solids(raw, file, index, where);
+  } else {
+    raw.cells = raw_elements(file.cells, index);
+    raw.lines = raw_elements(file.lines, index);
+    raw.bodies = sets_of(file, 2, file.cells, where);
+    raw.parts = sets_of(file, 1, file.lines, where);
+  }
   for (const Tag group : file.named_points) {
     const auto named = file.names.find({0, group});
     raw.notes.push_back(fmt::format("the points '{}' are no boundary part and are ignored",

@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: of the elements lines, triangles and quadrilaterals are kept.
+// Of the elements lines, triangles, quadrilaterals and tetrahedra are kept.
 #include "scene/mesh/gmsh_file.h"
 
 #include <cmath>
@@ -29,6 +29,7 @@ bool read_format(GmshScanner& in) {
 struct Kind {
   int corners;
   int nodes;
+  bool solid = false;
 };
 
 /// What is known of Gmsh's element types.
@@ -37,17 +38,20 @@ Kind kind_of(const GmshScanner& in, Tag type) {
     case 1: return {2, 2};
     case 2: return {3, 3};
     case 3: return {4, 4};
+    case 4: return {4, 4, true};
     case 8: return {2, 3};
     case 9: return {3, 6};
     case 10: return {4, 9};
+    case 11: return {4, 10, true};
     case 16: return {4, 8};
     default: break;
   }
-  static const std::set<Tag> solid = {4, 5, 6, 7, 11, 12, 13, 14, 17, 18, 19};
-  if (solid.contains(type)) in.refuse("there are solid elements: the mesh is 3D, only plane meshes are read");
+  static const std::set<Tag> solid = {5, 6, 7, 12, 13, 14, 17, 18, 19};
+  if (solid.contains(type))
+    in.refuse("there are hexahedra, prisms or pyramids: of a mesh that is 3D only tetrahedra are read");
   in.refuse(
-      fmt::format("element type {} is not known; lines, triangles and quadrilaterals of first or second order "
-                  "are read (Mesh.ElementOrder)",
+      fmt::format("element type {} is not known; lines, triangles, quadrilaterals and tetrahedra of first or "
+                  "second order are read (Mesh.ElementOrder)",
                   type));
 }
 
@@ -70,9 +74,9 @@ void read_element(GmshScanner& in, Tag type, Tag tag, Tag entity, int groups, Gm
   GmshFile::Element element{tag, entity, groups, kind.corners, kind.nodes > kind.corners, {}};
   for (int k = 0; k < kind.nodes; ++k) {
     const Tag node = in.integer();
-    if (k < 2 * kind.corners && k < 8) element.nodes[k] = node;  // not the node in the middle of the cell
+    if (kind.solid || (k < 2 * kind.corners && k < 8)) element.nodes[k] = node;  // not that in the middle of the cell
   }
-  (kind.corners == 2 ? file.lines : file.cells).push_back(element);
+  (kind.solid ? file.solids : kind.corners == 2 ? file.lines : file.cells).push_back(element);
 }
 
 void read_node(GmshScanner& in, Tag tag, GmshFile& file) {

@@ -15,17 +15,18 @@ namespace bracket::scene {
 
 struct GmshFile {
   using Tag = RawMesh::Tag;
-  /// A line, triangle or quadrilateral.
+  /// A line, triangle, quadrilateral or tetrahedron.
   struct Element {
     Tag tag;
-    Tag entity;  ///< number of its curve or surface, 0: none
+    Tag entity;  ///< number of its curve, surface or volume, 0: none
     int groups;  ///< the physical groups it is in: index into `groups`
     int corners;
     bool second_order;
-    std::array<Tag, 8> nodes;  ///< corners, then, of second order, a node in the middle of each side
+    std::array<Tag, 10> nodes;  ///< corners, then, of second order, a node in the middle of each side
   };
   std::vector<RawMesh::Node> nodes;
-  std::vector<Element> lines, cells;
+  std::vector<Element> lines, cells;                 ///< cells: triangles and quadrilaterals
+  std::vector<Element> solids;                       ///< tetrahedra
   std::vector<std::set<Tag>> groups = {{}};          ///< numbers; the first: in none
   std::map<std::pair<Tag, Tag>, std::string> names;  ///< of physical groups, by dimension and number
   std::set<Tag> named_points;                        ///< physical groups of points

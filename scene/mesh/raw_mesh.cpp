@@ -10,10 +10,10 @@
 
 namespace bracket::scene {
 
-double rounding_of(const std::vector<RawMesh::Node>& nodes) {
+double rounding_of(const std::vector<RawMesh::Node>& nodes, int dimension) {
   std::size_t digits = 0;
   for (const RawMesh::Node& node : nodes)
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < dimension; ++c) {
       const std::string text = fmt::format("{}", node.x[c]);  // the shortest that reads back
       std::string significant;
       for (const char sign : text.substr(0, text.find('e')))
@@ -27,9 +27,11 @@ double rounding_of(const std::vector<RawMesh::Node>& nodes) {
 
 namespace {
 
-Mesh<2> without_edges(Mesh<2> mesh) {
+template <int dim> Mesh<dim> without_edges(Mesh<dim> mesh) {
   mesh.edges.clear();
   mesh.cell_edges.clear();
+  mesh.facet_numbers.clear();
+  mesh.facet_count = 0;
   mesh.boundary.clear();
   return mesh;
 }
@@ -40,25 +42,28 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
 
 }  // namespace
 
-Mesh<2> mesh_of(const RawMesh& raw, const Scene<2>& scene, const std::string& where) {
-  Triangles triangles = triangles_of(raw, scene.merge, where);
-  Mesh<2> mesh;
-  mesh.vertices = std::move(triangles.vertices);
-  mesh.cells = std::move(triangles.cells);
+template <int dim> Mesh<dim> mesh_of(const RawMesh& raw, const Scene<dim>& scene, const std::string& where) {
+  Simplices<dim> simplices = simplices_of<dim>(raw, scene.merge, where);
+  Mesh<dim> mesh;
+  mesh.vertices = std::move(simplices.vertices);
+  mesh.cells = std::move(simplices.cells);
   mesh.coordinate_rounding = raw.coordinate_rounding;
   append(mesh.notes, raw.notes);
-  append(mesh.notes, triangles.notes);
-  mesh = with_edges(with_bodies(std::move(mesh), raw, triangles.origin, scene, where), where);
+  append(mesh.notes, simplices.notes);
+  mesh = with_edges(with_bodies(std::move(mesh), raw, simplices.origin, scene, where), where);
 
-  PartSides parts = part_sides(mesh, raw, triangles.vertex, scene, where);
+  PartSides parts = part_sides(mesh, raw, simplices.vertex, scene, where);
   append(mesh.notes, parts.notes);
   mesh.parts = std::move(parts.names);
   if (separate(mesh, parts.cut)) mesh = with_edges(without_edges(std::move(mesh)), where);
-  std::vector<PartEdge> part_edges;
-  for (const auto& [cell, local, part] : parts.sides) part_edges.push_back({facet_vertices(mesh, cell, local), part});
-  mesh = completed(std::move(mesh), part_edges, where);
+  std::vector<PartFacet<dim>> part_facets;
+  for (const auto& [cell, local, part] : parts.sides) part_facets.push_back({facet_vertices(mesh, cell, local), part});
+  mesh = completed(std::move(mesh), part_facets, where);
   if (!scene.bodies.empty()) append(mesh.notes, untied(mesh, scene));
   return mesh;
 }
+
+template Mesh<2> mesh_of(const RawMesh&, const Scene<2>&, const std::string&);
+template Mesh<3> mesh_of(const RawMesh&, const Scene<3>&, const std::string&);
 
 }  // namespace bracket::scene

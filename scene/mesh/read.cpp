@@ -56,7 +56,8 @@ RawMesh read_raw_mesh(const std::filesystem::path& file) {
   const std::string beginning = beginning_of(file);
   const bool foreign = beginning.starts_with("$MeshFormat") || beginning.starts_with("$NOD");
   if (ending == ".MSH" && foreign && !is_gmsh_text(beginning)) return read_by_libgmsh(file);
-  if (ending == ".GEO") fail(Status::mesh, file.string(), "is a geometry, not a mesh; 'gmsh -2' makes a .msh of it");
+  if (ending == ".GEO")
+    fail(Status::mesh, file.string(), "is a geometry, not a mesh; 'gmsh -2' makes a .msh of it, in space 'gmsh -3'");
   if (ending != ".MSH" && !is_gmsh_text(beginning)) {
     read_text(file);  // says what is wrong where it cannot be read
     fail(Status::mesh, file.string(),
@@ -67,16 +68,13 @@ RawMesh read_raw_mesh(const std::filesystem::path& file) {
   return read_gmsh(file);
 }
 
-int dimension_of_mesh(const std::filesystem::path& file) {
-  read_raw_mesh(file);
-  return 2;  // of space none is read
-}
+int dimension_of_mesh(const std::filesystem::path& file) { return read_raw_mesh(file).dimension; }
 
 template <int dim> Mesh<dim> read_mesh(const std::filesystem::path& file) {
-  static_assert(dim == 2);
   return mesh_of(read_raw_mesh(file), Scene<dim>{}, file.string());
 }
 
 template Mesh<2> read_mesh(const std::filesystem::path&);
+template Mesh<3> read_mesh(const std::filesystem::path&);
 
 }  // namespace bracket::scene

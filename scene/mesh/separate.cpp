@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: around a vertex cells follow each other, from edge to edge.
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <map>
@@ -18,19 +17,20 @@ struct Corner {
   int local;
 };
 
-/// Corners at one vertex that hang together through edges that are not cut.
-std::vector<std::vector<Corner>> fans(const Mesh<2>& mesh, const std::vector<Corner>& corners,
+/// Corners at one vertex that hang together through facets that are not cut.
+template <int dim>
+std::vector<std::vector<Corner>> fans(const Mesh<dim>& mesh, const std::vector<Corner>& corners,
                                       const std::vector<char>& is_cut) {
   const int count = static_cast<int>(corners.size());
   std::vector<int> ranks(count), parents(count);
   std::iota(parents.begin(), parents.end(), 0);
   boost::disjoint_sets<int*, int*> together(ranks.data(), parents.data());
-  std::map<int, int> first;  // corner at each edge
+  std::map<int, int> first;  // corner at each facet
   for (int i = 0; i < count; ++i) {
-    for (const int turn : {1, 2}) {  // the edges at the vertex are those opposite to the other two
-      const int edge = mesh.cell_edges[corners[i].cell][(corners[i].local + turn) % 3];
-      if (is_cut[edge]) continue;
-      const auto [known, fresh] = first.emplace(edge, i);
+    for (int turn = 1; turn <= dim; ++turn) {  // the facets at the vertex are those opposite to the others
+      const int facet = cell_facets(mesh, corners[i].cell)[(corners[i].local + turn) % (dim + 1)];
+      if (is_cut[facet]) continue;
+      const auto [known, fresh] = first.emplace(facet, i);
       if (!fresh) together.union_set(known->second, i);
     }
   }
@@ -43,7 +43,7 @@ std::vector<std::vector<Corner>> fans(const Mesh<2>& mesh, const std::vector<Cor
 
 /// Whether fans have no body in common: what touches by a point only does not hang together. Of one body it would be a
 /// fault of the mesh, which is told later on.
-bool of_different_bodies(const Mesh<2>& mesh, const std::vector<std::vector<Corner>>& sets) {
+template <int dim> bool of_different_bodies(const Mesh<dim>& mesh, const std::vector<std::vector<Corner>>& sets) {
   std::set<int> known;
   for (const auto& corners : sets) {
     std::set<int> bodies;
@@ -56,12 +56,13 @@ bool of_different_bodies(const Mesh<2>& mesh, const std::vector<std::vector<Corn
 
 }  // namespace
 
-bool separate(Mesh<2>& mesh, const std::vector<int>& cut) {
-  std::vector<char> is_cut(mesh.edges.size(), 0), at_cut(mesh.vertices.size(), 0);
-  for (const int edge : cut) {
-    is_cut[edge] = 1;
-    for (const int vertex : mesh.edges[edge]) at_cut[vertex] = 1;
-  }
+template <int dim> bool separate(Mesh<dim>& mesh, const std::vector<int>& cut) {
+  std::vector<char> is_cut(n_facets(mesh), 0), at_cut(mesh.vertices.size(), 0);
+  for (const int facet : cut) is_cut[facet] = 1;
+  for (std::size_t cell = 0; cell < mesh.cells.size() && !cut.empty(); ++cell)
+    for (int local = 0; local <= dim; ++local)
+      if (is_cut[cell_facets(mesh, static_cast<int>(cell))[local]])
+        for (const int vertex : facet_vertices(mesh, static_cast<int>(cell), local)) at_cut[vertex] = 1;
   std::vector<int> body(mesh.vertices.size(), -1);
   std::vector<char> looked_at = at_cut;  // and vertices that bodies share
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
@@ -72,7 +73,7 @@ bool separate(Mesh<2>& mesh, const std::vector<int>& cut) {
   }
   std::map<int, std::vector<Corner>> corners;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
-    for (int local = 0; local < 3; ++local)
+    for (int local = 0; local <= dim; ++local)
       if (looked_at[mesh.cells[cell][local]])
         corners[mesh.cells[cell][local]].push_back({static_cast<int>(cell), local});
 
@@ -88,5 +89,8 @@ bool separate(Mesh<2>& mesh, const std::vector<int>& cut) {
   }
   return separated;
 }
+
+template bool separate(Mesh<2>&, const std::vector<int>&);
+template bool separate(Mesh<3>&, const std::vector<int>&);
 
 }  // namespace bracket::scene

@@ -33,10 +33,6 @@ Mesh<dim> with_topology(Mesh<dim> mesh, const std::vector<PartFacet<dim>>& part_
   return completed(with_edges(std::move(mesh), where), part_facets, where);
 }
 
-/// A mesh made in code.
-/// \throw Error (mesh): places that are not there, as with_topology(); (input): coordinates out of range
-Mesh<3> mesh_of_given(const GivenMesh<3>& given, const std::string& where);
-
 // ---- what is the same in the plane and in space ---------------------------------------------------------------------
 
 template <int dim> Vector<dim> centre(const Mesh<dim>& mesh, int cell);

@@ -134,7 +134,8 @@ void read_elements(Lines& in, RawMesh& raw, Places& places) {
       const auto node = places.nodes.find(nodes[i]);
       if (node == places.nodes.end())
         in.refuse(fmt::format("the element {} has the node {}, which is not there", tag, nodes[i]));
-      (order == 2 && i % 2 == 1 ? element.middles : element.corners)[order == 2 ? i / 2 : i] = node->second;
+      const std::size_t k = order == 2 ? i / 2 : i;
+      (order == 2 && i % 2 == 1 ? element.middles[k] : element.corners[k]) = node->second;
     }
     std::vector<RawMesh::Element>& all = corners == 2 ? raw.lines : raw.cells;
     if (places.cells.contains(tag) || places.lines.contains(tag))

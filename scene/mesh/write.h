@@ -11,17 +11,17 @@
 /// cells are in the order of the mesh. Coordinates read back to the last bit.
 namespace bracket::scene {
 
-/// Gmsh 2.2, ASCII: bodies are physical surfaces, boundary parts physical curves.
+/// Gmsh 2.2, ASCII: bodies are physical surfaces, boundary parts physical curves; in space volumes and surfaces.
 /// \pre degree 1 or 2; so below
 /// \throw Error (input): a name that the format cannot hold; so below
-std::string gmsh_text(const Mesh<2>& mesh, int degree);
+template <int dim> std::string gmsh_text(const Mesh<dim>& mesh, int degree);
 
-/// Input of Abaqus and CalculiX: elements CPE3, CPS6 and so on; an element set for each body, a node set and a surface
-/// of element sides for each boundary part. CalculiX reads the first 20 characters of a number: they give it to 1e-17
-/// where they do not give it to the last place.
-std::string abaqus_text(const Mesh<2>& mesh, int degree, Plane plane);
+/// Input of Abaqus and CalculiX: elements CPE3, CPS6 and so on, in space C3D4 and C3D10; an element set for each body,
+/// a node set and a surface of element sides for each boundary part. CalculiX reads the first 20 characters of a
+/// number: they give it to 1e-17 where they do not give it to the last place. \param plane of two dimensions
+template <int dim> std::string abaqus_text(const Mesh<dim>& mesh, int degree, Plane plane);
 
 /// VTK's unstructured grid, ASCII, with the number of its body for each cell; boundary parts are not in it.
-std::string vtu_text(const Mesh<2>& mesh, int degree);
+template <int dim> std::string vtu_text(const Mesh<dim>& mesh, int degree);
 
 }  // namespace bracket::scene

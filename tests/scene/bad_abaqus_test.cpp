@@ -25,7 +25,7 @@ TEST(BadAbaqus, FaultsAreToldWithFileAndLine) {
       {"element twice", {replaced(whole, "5, 2, 5, 6", "4, 2, 5, 6"), {":19:", "element 4", "twice"}}},
       {"too many nodes", {replaced(whole, "5, 2, 5, 6", "5, 2, 5, 6, 1"), {":19:", "has 4 nodes", "CPS3 has 3"}}},
       {"cut short", {whole.substr(0, whole.find(", 5, 6\n6")), {":19:", "has 1 node"}}},
-      {"3D", {replaced(whole, "type=CPS3, ELSET=Surface1", "type=C3D4, ELSET=Surface1"), {":15:", "3D"}}},
+      {"3D", {replaced(whole, "type=CPS3, ELSET=Surface1", "type=C3D8, ELSET=Surface1"), {":15:", "3D"}}},
       {"axisymmetric", {replaced(whole, "type=CPS3, ELSET=Surface1", "type=CAX3, ELSET=S"), {":15:", "axisymmetric"}}},
       {"unknown element", {whole + "*ELSET,ELSET=x\n77\n", {":30:", "element 77"}}},
       {"unknown set", {whole + "*ELSET,ELSET=x\nstel\n", {":30:", "'stel'", "'steel'"}}},

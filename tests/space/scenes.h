@@ -75,7 +75,7 @@ inline scene::Scene<3> on_a_wall(int n, double poisson) {
   s.blocks = {block("b", {0, 1}, {0, 1}, {0, 1}, {n, n, n})};
   s.bodies = {{"b", isotropic(1, poisson)}};
   s.boundary = {{"b.left", fixed()},
-                {"b.front", traction(0.0, 0.0, scene::enclosed<3>([](const auto& x) { return 0.25 * x[0] - 0.1; }))}};
+                {"b.front", traction(0.0, 0.0, scene::enclosed<3>([](const auto& x) { return 0.2 * x[1] - 0.1; }))}};
   s.contact = {{"b.back", "rigid", 0.0, ""}};
   return s;
 }

@@ -42,7 +42,7 @@ std::array<int, 3> glued_vertices_of(const BisectedCells& bisected, int facet) {
   return vertices;
 }
 
-std::array<int, 3> in_order(std::array<int, 3> vertices) {
+std::array<int, 3> rising(std::array<int, 3> vertices) {
   std::sort(vertices.begin(), vertices.end());
   return vertices;
 }
@@ -81,12 +81,12 @@ template <> Refined<3> refine(const Problem<3>& problem, const std::vector<char>
   const auto children = children_of(bisected, problem.facets.size());
   const std::vector<int> contact_of_facet = contacts_by_first(*finer.origin.first);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    const auto& [pair, first, second, lower, upper, law, meets] = problem.contact[i];
+    const int first = problem.contact[i].first, second = problem.contact[i].second;
     std::map<std::array<int, 3>, int> across;
     if (second != -1)
-      for (const int child : children[second]) across[in_order(glued_vertices_of(bisected, child))] = child;
+      for (const int child : children[second]) across[rising(glued_vertices_of(bisected, child))] = child;
     for (const int one : children[first]) {
-      const int other = second == -1 ? -1 : across.at(in_order(glued_vertices_of(bisected, one)));
+      const int other = second == -1 ? -1 : across.at(rising(glued_vertices_of(bisected, one)));
       const Piece<2>& piece = finer.origin.facets[one];
       finer.contact.push_back(on_piece(*finer.origin.first, contact_of_facet[piece.of], one, other, piece));
       if (other != -1) finer.contact.back().meets = meeting(bisected, one, other);

@@ -16,9 +16,9 @@ using Tensor = std::array<Exact, 6>;
 
 /// What certify() made of two fields.
 struct Judged {
-  std::vector<std::array<Point, 10>> displacement;  ///< of each cell: at its vertices and middles of edges
-  std::vector<scene::BlockStress3<Exact>> stress;   ///< of each cell
-  std::vector<std::array<Point, 4>> x;              ///< the corners of each cell, as they are meant
+  std::vector<std::array<Point, 10>> displacement;      ///< of each cell: at its vertices and middles of edges
+  std::vector<scene::BalancedStress<3, Exact>> stress;  ///< of each cell
+  std::vector<std::array<Point, 4>> x;                  ///< the corners of each cell, as they are meant
   std::vector<Corrected<Exact>> corrections;
   PlainField field;
   Supports supports;

@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 /// What holds of the contact of every problem in space.
-void expect_matched(const Problem<3>& problem) {
+void expect_matched_in_space(const Problem<3>& problem) {
   for (const ContactFacetOf<3>& pair : problem.contact) {
     const FacetData<3>& data = problem.facets[pair.first];
     EXPECT_EQ(data.support, Support::contact);
@@ -34,7 +34,7 @@ TEST(MatchingInSpace, PutsNodesOnEachOtherToTheLastBit) {
     for (Vector<3>& x : mesh.vertices) x += apart * Vector<3>(uniform(random, -1, 1), uniform(random, -1, 1), 0.3);
     const Problem<3> problem = fix_data(scene, mesh);
     ASSERT_EQ(problem.contact.size(), 18u);
-    expect_matched(problem);
+    expect_matched_in_space(problem);
     for (const ContactFacetOf<3>& pair : problem.contact) {  // one side, one normal
       EXPECT_EQ(problem.facets[pair.first].normal, problem.facets[problem.contact[0].first].normal);
       EXPECT_EQ(pair.lower, (FacetQuadratic<3>{}));
@@ -74,7 +74,7 @@ TEST(MatchingInSpace, OfWallsAndPlanes) {
       {std::vector<std::string>{"lower.top", "lower.left"}, PlaneObstacle{{0, 1.5, 0}, {0, -3, 0}}, {}, ""}};
   const Problem<3> problem = fix_data(scene, build_mesh(scene));
   ASSERT_EQ(problem.contact.size(), 24u);
-  expect_matched(problem);
+  expect_matched_in_space(problem);
   const Vector<3> d = Vector<3>(-0.1, 1, 0).normalized();
   for (const ContactFacetOf<3>& pair : problem.contact) {
     EXPECT_EQ(pair.second, -1);

@@ -166,10 +166,10 @@ Mesh<3> tetrahedra(std::vector<Vector<3>> vertices, std::vector<std::array<int, 
   return with_topology(std::move(mesh), {}, "here");
 }
 
-const std::vector<Vector<3>> corner = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, -1, -1}};
+const std::vector<Vector<3>> unit_corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {-1, -1, -1}};
 
 TEST(TopologyInSpace, TurnsWhatIsInsideOutAndSaysSo) {
-  const Mesh<3> mesh = tetrahedra(corner, {{0, 1, 2, 3}, {1, 2, 4, 3}, {0, 1, 2, 5}, {0, 2, 3, 5}});
+  const Mesh<3> mesh = tetrahedra(unit_corners, {{0, 1, 2, 3}, {1, 2, 4, 3}, {0, 1, 2, 5}, {0, 2, 3, 5}});
   expect_sound_in_space(mesh);
   ASSERT_EQ(mesh.notes.size(), 1u);
   EXPECT_NE(mesh.notes[0].find("inside out turned"), std::string::npos) << mesh.notes[0];
@@ -181,7 +181,7 @@ TEST(TopologyInSpace, RefusesWhatIsNoMesh) {
         tetrahedra({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
       },
       Status::mesh, {"here", "degenerate"});
-  expect_error([] { tetrahedra(corner, {{0, 1, 2, 3}, {1, 2, 3, 0}}); }, Status::mesh, {"duplicate cells"});
+  expect_error([] { tetrahedra(unit_corners, {{0, 1, 2, 3}, {1, 2, 3, 0}}); }, Status::mesh, {"duplicate cells"});
   expect_error(
       [] {
         tetrahedra({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}}, {{0, 1, 2, 3}, {0, 1, 2, 4}});

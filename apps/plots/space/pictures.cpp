@@ -1,0 +1,146 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/plots/space/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/report/pairs.h"
+#include "apps/report/units.h"
+#include "apps/report/words.h"
+#include "scene/text.h"
+
+namespace bracket::apps {
+namespace {
+
+std::string bracketed(const std::string& what, const std::string& unit) {
+  return unit.empty() ? what : fmt::format("{} [{}]", what, unit.substr(1));
+}
+
+bool has_gaps(const scene::Problem<3>& problem) {
+  return std::ranges::any_of(problem.contact,
+                             [](const auto& contact) { return contact.upper != scene::FacetQuadratic<3>{}; });
+}
+
+std::string magnified(const ReportOf<3>& report, const DrawnShapeOf<3>& shape) {
+  return fmt::format("{} times {:g}", has_gaps(report.outcome.problem) ? "displacements and gaps" : "displacements",
+                     shape.factor);
+}
+
+constexpr const char* measured =
+    " the von Mises stress of the mean of both stress fields, computed, not guaranteed; the highest ½ % of what is "
+    "seen "
+    "have one colour.";
+constexpr const char* shaded = " Faces that are turned from the light are up to a quarter darker than the bar.";
+
+Sketch seen(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Eye& eye, SurfaceField field) {
+  Sketch sketch;
+  sketch.pieces = surface(report.outcome, shape, eye, field);
+  for (int k = 0; k < 3; ++k) sketch.axes[k] = eye.project(Vector<3>::Unit(k));
+  sketch.length_unit = units_of(report.scene.units, 3).length;
+  const Vector<3>& d = eye.to_eye;
+  sketch.legend = {fmt::format("{}; seen from the direction ({:.2f}, {:.2f}, {:.2f}), parallel rays",
+                               magnified(report, shape), d.x(), d.y(), d.z())};
+  return sketch;
+}
+
+ColourScale of_stress(const std::vector<Tessera>& pieces, const Units& units) {
+  return {.lowest = 0, .highest = quantile_by_area(pieces, 0.995), .label = bracketed("von Mises", units.stress)};
+}
+
+Drawing stress_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Vector<3>& from,
+                       const char* name) {
+  const Eye eye(from);
+  Sketch sketch = seen(report, shape, eye, SurfaceField::von_mises);
+  sketch.colours = of_stress(sketch.pieces, units_of(report.scene.units, 3));
+  const std::string caption = "The deformed bodies, " + magnified(report, shape) + ", seen from (" +
+                              fmt::format("{:.2f}, {:.2f}, {:.2f}", eye.to_eye.x(), eye.to_eye.y(), eye.to_eye.z()) +
+                              "), coloured by" + measured + shaded;
+  return {.name = name, .caption = caption, .svg = svg(std::move(sketch)), .png = {}, .wide = false};
+}
+
+Drawing indicator_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Vector<3>& from) {
+  Sketch sketch = seen(report, shape, Eye(from), SurfaceField::indicator_density);
+  const double highest = quantile_by_area(sketch.pieces, 1);
+  const double lowest = std::max(quantile_by_area(sketch.pieces, 0.01), 1e-10 * highest);
+  sketch.colours = {.lowest = lowest, .highest = highest, .logarithmic = lowest > 0, .label = "indicator by volume"};
+  return {.name = "mesh",
+          .caption =
+              "The same bodies coloured by the density of the error indicator: what the cell at the surface adds "
+              "to the width of the energy's interval, by its volume." +
+              std::string(shaded),
+          .svg = svg(std::move(sketch)),
+          .png = {},
+          .wide = false};
+}
+
+/// The pair whose pressure is the largest; −1: none presses.
+int most_pressed(const ReportOf<3>& report) {
+  int result = -1;
+  double largest = 0;
+  for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
+    if (const double p = summary(report, pair).largest_pressure; p > largest) {
+      largest = p;
+      result = pair;
+    }
+  return result;
+}
+
+/// The direction of a pair's contact at a vertex of it.
+Vector<3> direction_at(const scene::Problem<3>& problem, int pair, const Vector<3>& x) {
+  for (const auto& contact : problem.contact)
+    for (const int vertex : problem.mesh.boundary[contact.first].vertices)
+      if (contact.pair == pair && problem.mesh.vertices[vertex] == x) return problem.facets[contact.first].normal;
+  return Vector<3>::UnitY();
+}
+
+Drawing slice_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, int pair) {
+  const PairSummary<3> of = summary(report, pair);
+  const Vector<3> d = direction_at(report.outcome.problem, pair, of.at);
+  int axis = 2;  // the most at right angles to the contact's direction
+  for (const int other : {0, 1})
+    if (std::abs(d[other]) < std::abs(d[axis]) - 1e-9) axis = other;
+  constexpr std::array<std::array<int, 2>, 3> planes = {{{2, 1}, {0, 2}, {0, 1}}};
+  const std::array<int, 2> plane = planes[axis];
+  const Units units = units_of(report.scene.units, 3);
+  Sketch sketch;
+  sketch.pieces = slice(report.outcome, shape, axis, of.at[axis], plane);
+  sketch.colours = of_stress(sketch.pieces, units);
+  sketch.axes.fill(Vector<2>::Zero());
+  sketch.axes[plane[0]] = {1, 0};
+  sketch.axes[plane[1]] = {0, 1};
+  sketch.length_unit = units.length;
+  const std::string where = fmt::format("{} = {:.4g}{}", axis_names[axis], of.at[axis], units.length);
+  sketch.legend = {fmt::format("slice {}; {}, as far as they lie in it", where, magnified(report, shape)),
+                   fmt::format("largest pressure {:.4g}{} at {}{}", of.largest_pressure, units.stress,
+                               scene::point(of.at), units.length)};
+  for (const auto& contact : report.outcome.problem.contact)
+    for (const int vertex : report.outcome.problem.mesh.boundary[contact.first].vertices)
+      if (contact.pair == pair && report.outcome.problem.mesh.vertices[vertex] == of.at && sketch.rings.empty()) {
+        const Vector<3> drawn = of.at + shape.factor * report.outcome.displacement.vertex[vertex] + shape.shift[vertex];
+        sketch.rings.emplace_back(drawn[plane[0]], drawn[plane[1]]);
+      }
+  return {.name = "slice",
+          .caption = fmt::format("The slice {} through the largest contact pressure, of {} (ring), coloured by{}",
+                                 where, pair_name(report.scene.contact[pair]), measured),
+          .svg = svg(std::move(sketch)),
+          .png = {},
+          .wide = false};
+}
+
+}  // namespace
+
+std::vector<Drawing> space_pictures(const ReportOf<3>& report) {
+  const scene::Problem<3>& problem = report.outcome.problem;
+  const DrawnShapeOf<3> shape = drawn_shape(problem, magnification(problem, report.outcome.displacement));
+  const Vector<3> front(0.5, 0.4, 1), back(-0.5, -0.4, -1);
+  std::vector<Drawing> drawings = {stress_picture(report, shape, front, "stress"),
+                                   stress_picture(report, shape, back, "stress_behind")};
+  if (const int pair = most_pressed(report); pair >= 0) drawings.push_back(slice_picture(report, shape, pair));
+  if (!error_is_rounding(report.outcome)) drawings.push_back(indicator_picture(report, shape, front));
+  return drawings;
+}
+
+}  // namespace bracket::apps

@@ -1,0 +1,38 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "apps/plots/space/sketch.h"
+#include "apps/report/deformed.h"
+#include "apps/report/report.h"
+
+/// Pictures of a run in space, drawn by a writer of our own.
+namespace bracket::apps {
+
+/// The deformed surface coloured by the von Mises stress of the mean of both fields, from two sides; the same by the
+/// density of the error indicator, unless error_is_rounding(); with a contact that presses a slice through the largest
+/// pressure. \pre a guarantee, the run has ended
+std::vector<Drawing> space_pictures(const ReportOf<3>& report);
+
+/// Parallel projection along a direction, y upwards.
+struct Eye {
+  Vector<3> to_eye, right, up;  ///< unit vectors at right angles
+  explicit Eye(const Vector<3>& towards);
+  Vector<2> project(const Vector<3>& x) const { return {x.dot(right), x.dot(up)}; }
+};
+
+/// What colours the surface: the stress at the middle of a piece, or what its cell has.
+enum class SurfaceField { von_mises, indicator_density };
+
+/// The faces of all bodies that are turned to the eye, deformed; each cut so that its pieces are flat to the eye and
+/// small enough to be drawn from the farthest to the nearest by their middles.
+std::vector<Tessera> surface(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, const Eye& eye,
+                             SurfaceField field);
+
+/// The cells cut by the plane x_axis = `at`, coloured by the von Mises stress; deformed, seen along the axis, so that
+/// what moves along it is not seen. \param plane the axes to the right and upwards
+std::vector<Tessera> slice(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, int axis, double at,
+                           const std::array<int, 2>& plane);
+
+}  // namespace bracket::apps
