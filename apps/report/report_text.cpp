@@ -72,8 +72,10 @@ template <int dim> std::string iterations_text(const ReportOf<dim>& report) {
     most = std::max({most, level.primal.iterations, level.dual.iterations});
   std::string text = "\n";
   for (const auto& [name, of] : {std::pair("displacements", &last.primal), std::pair("stresses", &last.dual)})
-    text += fmt::format("Contact of the {}: {} of {} rows closed, found in {}\n", name, of->active_rows, of->rows,
-                        of->iterations == 1 ? "one step" : fmt::format("{} steps", of->iterations));
+    text += fmt::format("Contact of the {}: {} of {} rows closed{}\n", name, of->active_rows, of->rows,
+                        of->iterations == 0   ? ""  // star by star
+                        : of->iterations == 1 ? ", found in one step"
+                                              : fmt::format(", found in {} steps", of->iterations));
   // Uzawa's iteration is another one, which takes thousands.
   if (most > many && report.scene.solve.dual == scene::Dual::hybrid)
     text += fmt::format("To find which rows are closed took {} steps on one level, which is many.\n", most);

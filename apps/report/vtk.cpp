@@ -160,8 +160,9 @@ template <> std::string solution_vtu(const Report& report) {
   });
   grid.point_data.push_back(vtk_array("displacement", "Float64", std::move(displacements), {"x", "y", "z"}));
   grid.point_data.push_back(vtk_array("drawn", "Float32", std::move(drawn), {"x", "y", "z"}));
-  grid.point_data.push_back(vtk_array("stress_displacement", "Float64", std::move(stresses.of_displacement), tensor));
-  grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(stresses.equilibrated), tensor));
+  grid.point_data.push_back(
+      vtk_array("stress_displacement", "Float64", std::move(stresses.of_displacement), vtk_tensor));
+  grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(stresses.equilibrated), vtk_tensor));
   grid.point_data.push_back(vtk_array("von_mises", "Float64", std::move(stresses.von_mises)));
   grid.point_data.push_back(vtk_array("principal", "Float64", std::move(stresses.principal), {"larger", "smaller"}));
   grid.cell_data = {vtk_array("body", "Int32", std::move(body)), vtk_array("indicator", "Float64", std::move(share)),

@@ -11,7 +11,7 @@ namespace bracket::apps {
 /// What holds of a run so far, as field data: names, units, bounds. \param drawn_factor by which pictures magnify
 template <int dim> std::vector<VtkField> about(const ReportOf<dim>& report, double drawn_factor);
 
-/// The components of a symmetric tensor, as VTK has them.
-inline const std::vector<std::string> tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};
+/// The components of a symmetric vtk_tensor, as VTK has them.
+inline const std::vector<std::string> vtk_tensor = {"xx", "yy", "zz", "xy", "yz", "xz"};
 
 }  // namespace bracket::apps

@@ -13,6 +13,9 @@
 #include "scene/text.h"
 
 namespace bracket::apps {
+
+using scene::Vector;
+
 namespace {
 
 std::string bracketed(const std::string& what, const std::string& unit) {
@@ -29,7 +32,7 @@ std::string magnified(const ReportOf<3>& report, const DrawnShapeOf<3>& shape) {
                      shape.factor);
 }
 
-constexpr const char* measured =
+constexpr const char* of_both_fields =
     " the von Mises stress of the mean of both stress fields, computed, not guaranteed; the highest ½ % of what is "
     "seen "
     "have one colour.";
@@ -57,7 +60,7 @@ Drawing stress_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, 
   sketch.colours = of_stress(sketch.pieces, units_of(report.scene.units, 3));
   const std::string caption = "The deformed bodies, " + magnified(report, shape) + ", seen from (" +
                               fmt::format("{:.2f}, {:.2f}, {:.2f}", eye.to_eye.x(), eye.to_eye.y(), eye.to_eye.z()) +
-                              "), coloured by" + measured + shaded;
+                              "), coloured by" + of_both_fields + shaded;
   return {.name = name, .caption = caption, .svg = svg(std::move(sketch)), .png = {}, .wide = false};
 }
 
@@ -124,7 +127,7 @@ Drawing slice_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, i
       }
   return {.name = "slice",
           .caption = fmt::format("The slice {} through the largest contact pressure, of {} (ring), coloured by{}",
-                                 where, pair_name(report.scene.contact[pair]), measured),
+                                 where, pair_name(report.scene.contact[pair]), of_both_fields),
           .svg = svg(std::move(sketch)),
           .png = {},
           .wide = false};

@@ -17,21 +17,22 @@ std::vector<Drawing> space_pictures(const ReportOf<3>& report);
 
 /// Parallel projection along a direction, y upwards.
 struct Eye {
-  Vector<3> to_eye, right, up;  ///< unit vectors at right angles
-  explicit Eye(const Vector<3>& towards);
-  Vector<2> project(const Vector<3>& x) const { return {x.dot(right), x.dot(up)}; }
+  scene::Vector<3> to_eye, right, up;  ///< unit vectors at right angles
+  explicit Eye(const scene::Vector<3>& towards);
+  scene::Vector<2> project(const scene::Vector<3>& x) const { return {x.dot(right), x.dot(up)}; }
 };
 
 /// What colours the surface: the stress at the middle of a piece, or what its cell has.
 enum class SurfaceField { von_mises, indicator_density };
 
-/// The faces of all bodies that are turned to the eye, deformed; each cut so that its pieces are flat to the eye and
-/// small enough to be drawn from the farthest to the nearest by their middles.
+/// The faces of all bodies that are turned to the eye and do not lie on another body, deformed; each cut so that its
+/// pieces are flat to the eye and small enough to be drawn from the farthest to the nearest by their middles.
 std::vector<Tessera> surface(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, const Eye& eye,
                              SurfaceField field);
 
 /// The cells cut by the plane x_axis = `at`, coloured by the von Mises stress; deformed, seen along the axis, so that
-/// what moves along it is not seen. \param plane the axes to the right and upwards
+/// what moves along it is not seen. Of faces in the plane those of the cells below it, or else above. \param plane the
+/// axes to the right and upwards
 std::vector<Tessera> slice(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, int axis, double at,
                            const std::array<int, 2>& plane);
 

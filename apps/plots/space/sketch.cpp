@@ -11,10 +11,14 @@
 #include "apps/report/html.h"
 
 namespace bracket::apps {
+
+using scene::Vector;
+
 namespace {
 
 // Pixels.
-constexpr double width = 720, height = 540, margin = 16, bar_width = 16, bar_room = 112, legend_line = 18, foot = 46;
+constexpr double picture_width = 720, picture_height = 540, picture_margin = 16, bar_width = 16, bar_room = 112,
+                 legend_line = 18, foot = 58;
 
 /// The colours of all pictures, from dark to light.
 constexpr std::array<std::array<int, 3>, 9> palette = {{{0x44, 0x01, 0x54},
@@ -88,14 +92,14 @@ Frame frame_of(const std::vector<Tessera>& pieces, double top, double bottom) {
   for (const Tessera& piece : pieces)
     for (const Vector<2>& x : piece.corner) box.extend(x);
   if (box.isEmpty()) box.extend(Vector<2>::Zero());
-  const Vector<2> room(width - 2 * margin - bar_room, bottom - top);
+  const Vector<2> room(picture_width - 2 * picture_margin - bar_room, bottom - top);
   const Vector<2> size = box.sizes();
   double scale = INFINITY;
   for (int k = 0; k < 2; ++k)
     if (size[k] > 0) scale = std::min(scale, room[k] / size[k]);
   if (!std::isfinite(scale)) scale = 1;
   const Vector<2> left_over = (room - scale * size) / 2;
-  return {scale, box.min(), {margin + left_over.x(), bottom - left_over.y()}};
+  return {scale, box.min(), {picture_margin + left_over.x(), bottom - left_over.y()}};
 }
 
 std::string path(const std::vector<Vector<2>>& pixels) {
@@ -117,40 +121,40 @@ std::string drawn_piece(const Tessera& piece, const Frame& frame, const ColourSc
   return text;
 }
 
-std::string label(double x, double y, const std::string& text, const char* more = "") {
+std::string text_at(double x, double y, const std::string& text, const char* more = "") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", x, y, more, escaped(text));
 }
 
 std::string colour_bar(const ColourScale& scale, double top, double bottom) {
   constexpr int steps = 64;
-  const double x = width - margin - bar_room + 24, high = bottom - top;
-  std::string text = label(width - margin, top - 8, scale.label, " text-anchor=\"end\"");
+  const double x = picture_width - picture_margin - bar_room + 24, high = bottom - top;
+  std::string text = text_at(picture_width - picture_margin, top - 8, scale.label, " text-anchor=\"end\"");
   for (int i = 0; i < steps; ++i)
     text += fmt::format("<rect x=\"{:.1f}\" y=\"{:.2f}\" width=\"{}\" height=\"{:.2f}\" fill=\"{}\"/>\n", x,
                         bottom - high * (i + 1) / steps, bar_width, high / steps + 0.3, colour((i + 0.5) / steps, 1));
   for (const double value : ticks(scale)) {
     const double y = bottom - high * std::clamp(place_on(scale, value), 0.0, 1.0);
     text += fmt::format("<path fill=\"none\" stroke=\"#444444\" d=\"M{:.1f} {:.1f}h5\"/>\n", x + bar_width, y) +
-            label(x + bar_width + 9, y + 4, fmt::format("{:.4g}", value));
+            text_at(x + bar_width + 9, y + 4, fmt::format("{:.4g}", value));
   }
   return text;
 }
 
 /// A length, and the way that the axes run.
 std::string foot_of(const Sketch& sketch, const Frame& frame, double y) {
-  const double length = round_length(0.2 * (width - bar_room) / frame.scale);
-  const double from = margin + 90;
+  const double length = round_length(0.2 * (picture_width - bar_room) / frame.scale);
+  const double from = picture_margin + 90;
   std::string text = fmt::format("<path fill=\"none\" stroke=\"#444444\" d=\"M{0:.1f} {1:.1f}v-6v3h{2:.1f}v-3v6\"/>\n",
                                  from, y, length * frame.scale) +
-                     label(from + length * frame.scale + 8, y + 1, fmt::format("{:g}{}", length, sketch.length_unit));
-  const Vector<2> origin(margin + 26, y - 6);
+                     text_at(from + length * frame.scale + 8, y + 1, fmt::format("{:g}{}", length, sketch.length_unit));
+  const Vector<2> origin(picture_margin + 30, y - 16);
   constexpr std::array<const char*, 3> names = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
     const Vector<2> along(24 * sketch.axes[k].x(), -24 * sketch.axes[k].y());
     if (along.norm() < 2) continue;
     const Vector<2> end = origin + along, beyond = origin + 1.4 * along;
     text += fmt::format("<path fill=\"none\" stroke=\"#444444\" d=\"{}\"/>\n", path({origin, end})) +
-            label(beyond.x(), beyond.y() + 4, names[k], " text-anchor=\"middle\"");
+            text_at(beyond.x(), beyond.y() + 4, names[k], " text-anchor=\"middle\"");
   }
   return text;
 }
@@ -180,14 +184,14 @@ double quantile_by_area(const std::vector<Tessera>& pieces, double share) {
 
 std::string svg(Sketch sketch) {
   std::ranges::stable_sort(sketch.pieces, {}, &Tessera::depth);
-  const double top = margin + 18, legend = legend_line * static_cast<double>(sketch.legend.size());
-  const double bottom = height - margin - legend - foot;
+  const double top = picture_margin + 18, legend = legend_line * static_cast<double>(sketch.legend.size());
+  const double bottom = picture_height - picture_margin - legend - foot;
   const Frame frame = frame_of(sketch.pieces, top, bottom);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
       "font-family=\"sans-serif\" font-size=\"13\" fill=\"#222222\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n<g stroke-width=\"0.5\" stroke-linejoin=\"round\">\n",
-      width, height);
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n<g stroke-width=\"0.8\" stroke-linejoin=\"round\">\n",
+      picture_width, picture_height);
   for (const Tessera& piece : sketch.pieces) text += drawn_piece(piece, frame, sketch.colours);
   text += "</g>\n";
   for (const Vector<2>& ring : sketch.rings) {
@@ -197,9 +201,11 @@ std::string svg(Sketch sketch) {
         "stroke-width=\"2\"/>\n",
         at.x(), at.y());
   }
-  text += colour_bar(sketch.colours, top + 10, bottom) + foot_of(sketch, frame, height - margin - legend);
+  text +=
+      colour_bar(sketch.colours, top + 10, bottom) + foot_of(sketch, frame, picture_height - picture_margin - legend);
   for (std::size_t i = 0; i < sketch.legend.size(); ++i)
-    text += label(margin, height - margin - legend + legend_line * static_cast<double>(i + 1), sketch.legend[i]);
+    text += text_at(picture_margin, picture_height - picture_margin - legend + legend_line * static_cast<double>(i + 1),
+                    sketch.legend[i]);
   return text + "</svg>\n";
 }
 

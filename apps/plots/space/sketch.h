@@ -10,14 +10,12 @@
 /// Pictures of bodies in space as SVG by a writer of our own: flat pieces, the farthest first.
 namespace bracket::apps {
 
-using scene::Vector;
-
 /// A flat convex piece of what is drawn.
 struct Tessera {
-  std::vector<Vector<2>> corner;  ///< in the picture's plane, in units of the scene
-  double value;                   ///< by which it is coloured; not a number: grey
-  double depth = 0;               ///< along the way to the eye: the nearer, the larger
-  double shade = 1;               ///< by which its colour is darkened, from 0 to 1
+  std::vector<scene::Vector<2>> corner;  ///< in the picture's plane, in units of the scene
+  double value;                          ///< by which it is coloured; not a number: grey
+  double depth = 0;                      ///< along the way to the eye: the nearer, the larger
+  double shade = 1;                      ///< by which its colour is darkened, from 0 to 1
   std::vector<char> outlined =
       {};  ///< of each side, from its corner to the next: whether a cell ends there; empty: none
 };
@@ -33,10 +31,10 @@ struct ColourScale {
 struct Sketch {
   std::vector<Tessera> pieces;
   ColourScale colours;
-  std::array<Vector<2>, 3> axes;      ///< how x, y and z run in the picture; zero: towards the eye
-  std::string length_unit;            ///< with a blank in front; empty: not known
-  std::vector<std::string> legend;    ///< lines below: what is magnified, from where it is seen
-  std::vector<Vector<2>> rings = {};  ///< points that are marked
+  std::array<scene::Vector<2>, 3> axes;      ///< how x, y and z run in the picture; zero: towards the eye
+  std::string length_unit;                   ///< with a blank in front; empty: not known
+  std::vector<std::string> legend;           ///< lines below: what is magnified, from where it is seen
+  std::vector<scene::Vector<2>> rings = {};  ///< points that are marked
 };
 
 /// The value below which the share of the pieces' area lies, of those that have one; 0 without any.

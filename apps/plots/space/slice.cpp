@@ -6,10 +6,13 @@
 #include "apps/report/stresses.h"
 
 namespace bracket::apps {
+
+using scene::Vector;
+
 namespace {
 
 /// Where a plane cuts a tetrahedron, as barycentric points around the polygon: none, three or four. What lies in the
-/// plane counts as above, so that a face that two tetrahedra share is cut once.
+/// plane counts as above, so that a face in it belongs to the tetrahedron below alone.
 std::vector<InCell> cut(const std::array<double, 4>& height) {
   std::vector<int> above, below;
   for (int i = 0; i < 4; ++i) (height[i] >= 0 ? above : below).push_back(i);
@@ -29,16 +32,15 @@ std::vector<InCell> cut(const std::array<double, 4>& height) {
   return polygon;
 }
 
-}  // namespace
-
-std::vector<Tessera> slice(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, int axis, double at,
-                           const std::array<int, 2>& plane) {
+/// \param side 1 or −1: which way is up
+std::vector<Tessera> cut_cells(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, int axis, double at,
+                               const std::array<int, 2>& plane, int side) {
   const scene::Mesh<3>& mesh = run.problem.mesh;
   std::vector<Tessera> pieces;
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     const auto x = scene::positions(mesh, mesh.cells[cell]);
     std::array<double, 4> height;
-    for (int i = 0; i < 4; ++i) height[i] = x[i][axis] - at;
+    for (int i = 0; i < 4; ++i) height[i] = side * (x[i][axis] - at);
     if (cut(height).empty()) continue;
     const auto sigma = bounds::displacement_stress(run.problem, run.displacement, cell);
     const double centre = (height[0] + height[1] + height[2] + height[3]) / 4;
@@ -61,6 +63,14 @@ std::vector<Tessera> slice(const bounds::Outcome<3>& run, const DrawnShapeOf<3>&
     }
   }
   return pieces;
+}
+
+}  // namespace
+
+std::vector<Tessera> slice(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, int axis, double at,
+                           const std::array<int, 2>& plane) {
+  const std::vector<Tessera> pieces = cut_cells(run, shape, axis, at, plane, 1);
+  return pieces.empty() ? cut_cells(run, shape, axis, at, plane, -1) : pieces;  // where all lies above the plane
 }
 
 }  // namespace bracket::apps

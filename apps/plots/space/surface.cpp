@@ -7,11 +7,13 @@
 #include "apps/report/stresses.h"
 
 namespace bracket::apps {
+
+using scene::Vector;
+
 namespace {
 
-constexpr double largest_piece = 1.0 / 40;  ///< by the size of what is drawn
-constexpr double shortest_outlined = 1.0 / 120;
-constexpr int most_pieces = 40000;  ///< of a picture, unless there are more faces
+constexpr double largest_piece = 1.0 / 32;       ///< by the size of what is drawn
+constexpr double shortest_outlined = 1.0 / 120;  ///< of edges; smaller faces are drawn without
 
 /// A point of a facet, by barycentric coordinates in its cell and in the part of it.
 struct OnFacet {
@@ -95,7 +97,21 @@ class Surface {
   SurfaceField field_;
 };
 
-double longest_side(const std::array<Vector<3>, 3>& x, const Eye& eye) {
+/// Which facets lie on another body, so that nobody sees them.
+std::vector<char> covered(const Surface& faces, const scene::Problem<3>& problem) {
+  const double nothing = 1e-3 * problem.length_scale;
+  std::vector<char> result(problem.mesh.boundary.size(), 0);
+  for (const auto& contact : problem.contact) {
+    if (contact.second < 0) continue;
+    const auto first = faces.corners(contact.first), second = faces.corners(contact.second);
+    bool apart = false;
+    for (int i = 0; i < 3; ++i) apart = apart || (first[i] - second[contact.meets[i]]).norm() > nothing;
+    result[contact.first] = result[contact.second] = !apart;
+  }
+  return result;
+}
+
+double longest_edge(const std::array<Vector<3>, 3>& x, const Eye& eye) {
   double longest = 0;
   for (int k = 0; k < 3; ++k) longest = std::max(longest, eye.project(x[k] - x[(k + 1) % 3]).norm());
   return longest;
@@ -111,17 +127,15 @@ std::vector<Tessera> surface(const bounds::Outcome<3>& run, const DrawnShapeOf<3
   const Surface faces(run, shape, eye, field);
   const int n_faces = static_cast<int>(run.problem.mesh.boundary.size());
   const double size = run.problem.length_scale;
-  std::vector<int> cuts;
-  long total = 0;
-  for (int facet = 0; facet < n_faces; ++facet) {
-    const double longest = longest_side(faces.corners(facet), eye) / size;
-    cuts.push_back(std::max(run.displacement.degree, static_cast<int>(std::ceil(longest / largest_piece))));
-    total += static_cast<long>(cuts.back()) * cuts.back();
-  }
+  const std::vector<char> hidden = covered(faces, run.problem);
   std::vector<Tessera> pieces;
-  for (int facet = 0; facet < n_faces; ++facet)
-    faces.add(pieces, facet, total > most_pieces ? 1 : cuts[facet],
-              longest_side(faces.corners(facet), eye) > shortest_outlined * size);
+  for (int facet = 0; facet < n_faces; ++facet) {
+    if (hidden[facet]) continue;
+    const double longest = longest_edge(faces.corners(facet), eye) / size;
+    const bool outlined = longest > shortest_outlined;
+    const int least = outlined ? run.displacement.degree : 1;  // smaller ones look flat
+    faces.add(pieces, facet, std::max(least, static_cast<int>(std::ceil(longest / largest_piece))), outlined);
+  }
   return pieces;
 }
 

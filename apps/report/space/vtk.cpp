@@ -113,8 +113,8 @@ template <> std::string solution_vtu(const ReportOf<3>& report) {
   });
   grid.point_data.push_back(vtk_array("displacement", "Float64", std::move(displacements), {"x", "y", "z"}));
   grid.point_data.push_back(vtk_array("drawn", "Float32", std::move(drawn), {"x", "y", "z"}));
-  grid.point_data.push_back(vtk_array("stress_displacement", "Float64", std::move(of_displacement), tensor));
-  grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(equilibrated), tensor));
+  grid.point_data.push_back(vtk_array("stress_displacement", "Float64", std::move(of_displacement), vtk_tensor));
+  grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(equilibrated), vtk_tensor));
   grid.point_data.push_back(vtk_array("von_mises", "Float64", std::move(mises)));
   grid.point_data.push_back(vtk_array("principal", "Float64", std::move(principal), {"largest", "middle", "smallest"}));
   grid.cell_data = {vtk_array("body", "Int32", std::move(body)), vtk_array("indicator", "Float64", std::move(share)),

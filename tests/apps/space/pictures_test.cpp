@@ -15,7 +15,7 @@ double area(const std::vector<Tessera>& pieces) {
   double sum = 0;
   for (const Tessera& piece : pieces)
     for (std::size_t i = 2; i < piece.corner.size(); ++i) {
-      const Vector<2> b = piece.corner[i - 1] - piece.corner[0], c = piece.corner[i] - piece.corner[0];
+      const scene::Vector<2> b = piece.corner[i - 1] - piece.corner[0], c = piece.corner[i] - piece.corner[0];
       sum += std::abs(b.x() * c.y() - b.y() * c.x()) / 2;
     }
   return sum;
@@ -31,8 +31,8 @@ bounds::Outcome<3> box(int degree) {
   outcome.problem = scene::fix_data(scene, scene::build_mesh(scene));
   const scene::Mesh<3>& mesh = outcome.problem.mesh;
   outcome.displacement.degree = degree;
-  outcome.displacement.vertex.assign(mesh.vertices.size(), Vector<3>::Zero());
-  if (degree == 2) outcome.displacement.edge.assign(mesh.edges.size(), Vector<3>::Zero());
+  outcome.displacement.vertex.assign(mesh.vertices.size(), scene::Vector<3>::Zero());
+  if (degree == 2) outcome.displacement.edge.assign(mesh.edges.size(), scene::Vector<3>::Zero());
   outcome.stress.cell.assign(mesh.cells.size(), std::vector<scene::Voigt<3>>(16, scene::Voigt<3>::Zero()));
   outcome.indicator.cell.assign(mesh.cells.size(), 1.0);
   return outcome;
@@ -41,10 +41,11 @@ bounds::Outcome<3> box(int degree) {
 // Of a convex body half of the surface is seen: its projection has the area Σ |d_k| A_k.
 TEST(PicturesInSpace, ABoxIsSeenOnce) {
   for (const int degree : {1, 2})
-    for (const Vector<3>& from : {Vector<3>(0.5, 0.4, 1), Vector<3>(-0.5, -0.4, -1), Vector<3>(1, 0.1, 0.01)}) {
+    for (const scene::Vector<3>& from :
+         {scene::Vector<3>(0.5, 0.4, 1), scene::Vector<3>(-0.5, -0.4, -1), scene::Vector<3>(1, 0.1, 0.01)}) {
       const bounds::Outcome<3> run = box(degree);
       const Eye eye(from);
-      const Vector<3> d = eye.to_eye.cwiseAbs();
+      const scene::Vector<3> d = eye.to_eye.cwiseAbs();
       const double expected = d.x() * 6 + d.y() * 3 + d.z() * 2;
       for (const auto field : {SurfaceField::von_mises, SurfaceField::indicator_density})
         EXPECT_NEAR(area(surface(run, drawn_shape(run.problem, 1), eye, field)), expected, 1e-12 * expected);
@@ -55,8 +56,8 @@ TEST(PicturesInSpace, ABoxIsSeenOnce) {
 TEST(PicturesInSpace, ASliceIsARectangle) {
   const bounds::Outcome<3> run = box(2);
   const DrawnShapeOf<3> shape = drawn_shape(run.problem, 1);
-  for (const double at : {0.1, 0.5, 0.77}) EXPECT_NEAR(area(slice(run, shape, 0, at, {2, 1})), 6, 1e-12);
-  for (const double at : {0.1, 1.5, 1.77}) EXPECT_NEAR(area(slice(run, shape, 2, at, {0, 1})), 2, 1e-12);
+  for (const double at : {0.0, 0.1, 0.5, 0.77, 1.0}) EXPECT_NEAR(area(slice(run, shape, 0, at, {2, 1})), 6, 1e-12);
+  for (const double at : {0.0, 0.1, 1.5, 1.77, 3.0}) EXPECT_NEAR(area(slice(run, shape, 2, at, {0, 1})), 2, 1e-12);
   EXPECT_TRUE(slice(run, shape, 1, 2.5, {0, 2}).empty());
 }
 
@@ -65,7 +66,7 @@ TEST(PicturesInSpace, ColoursAndLengthsAreOnTheScale) {
   sketch.pieces = {{.corner = {{0, 0}, {10, 0}, {0, 10}}, .value = 0},
                    {.corner = {{10, 0}, {10, 10}, {0, 10}}, .value = 4}};
   sketch.colours = {.lowest = 0, .highest = 4, .label = "s [<unit>]"};
-  sketch.axes = {Vector<2>(1, 0), Vector<2>(0, 1), Vector<2>::Zero()};
+  sketch.axes = {scene::Vector<2>(1, 0), scene::Vector<2>(0, 1), scene::Vector<2>::Zero()};
   sketch.length_unit = " mm";
   const std::string drawn = svg(sketch);
   EXPECT_NE(drawn.find("fill=\"#440154\" stroke=\"#440154\""), std::string::npos);
