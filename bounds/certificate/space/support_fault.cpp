@@ -46,6 +46,7 @@ std::string support_fault(const Problem<3>& first) {
     const auto& data = first.facets[f];
     if (data.support == Support::contact && is_loaded(data))
       return fmt::format("boundary facet {} is in contact and loaded", f);
+    if (degree_of_load(data) > 1) return fmt::format("boundary facet {} has a load that is not linear", f);
     for (int i = 0; i < 3; ++i) {
       const int vertex = mesh.boundary[f].vertices[i];
       const FacetCorner& held = fixed[vertex];

@@ -48,6 +48,8 @@ scene::ContactFacetOf<3>& between_bodies(Problem<3>& problem) {
 TEST(SpaceFault, on_the_first_mesh) {
   const Changes changes = {
       {[](auto& p) { p.mesh.cells.clear(); }, "no cells"},
+      {[](auto& p) { p.facets[0].higher_pressure[0] = 1; }, "not linear"},
+      {[](auto& p) { p.facets[0].higher_traction[1][2] = nan; }, "not linear"},
       {[](auto& p) { p.mesh.facet_numbers.pop_back(); }, "differ in number"},
       {[](auto& p) { std::swap(p.mesh.cells[0][0], p.mesh.cells[0][1]); }, "volume"},
       {[](auto& p) { p.mesh.cells[0][0] = 10000; }, "not there"},
