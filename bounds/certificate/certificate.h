@@ -43,5 +43,8 @@ struct FunctionalBound {
 template <int dim>
 FunctionalBound certify_functional(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
                                    const scene::Stress<dim>& stress);
+template <>
+FunctionalBound certify_functional(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
+                                   const scene::Stress<3>& stress);
 
 }  // namespace bracket::bounds

@@ -11,6 +11,7 @@ template <int dim> int degree_of_load(const typename Perturbation<dim>::Facet& a
   return acts(1) ? 3 : acts(0) ? 2 : 1;
 }
 template int degree_of_load<2>(const Perturbation<2>::Facet&);
+template int degree_of_load<3>(const Perturbation<3>::Facet&);
 
 namespace {
 

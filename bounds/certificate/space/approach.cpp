@@ -67,10 +67,11 @@ Supports supports_of(const scene::Problem<3>& problem, int degree) {
   const scene::Problem<3>& first = scene::first_of(problem);
   Supports result{fixed_vertices(first), {}};
   result.node = node_supports(problem, result.fixed);
-  result.gaps = kept_gaps(first);
+  result.gaps = kept_gaps(problem);
   result.fault = result.gaps.fault;
   if (result.gaps.kept.empty() || !result.fault.empty()) return result;
-  if (degree == 1 && !result.gaps.kept[0].is_linear) {
+  const auto is_linear = [](const KeptGap& gap) { return gap.is_linear && (gap.factor == 0 || gap.is_psi_linear); };
+  if (degree == 1 && !std::ranges::all_of(result.gaps.kept, is_linear)) {
     result.fault = "the gap of sides that keep together is not linear, as displacements of degree 1 are";
     return result;
   }

@@ -44,7 +44,7 @@ Supports supports_of(const scene::Problem<3>& problem, int degree);
 template <class Number> Number kept_value(const Supports& supports, const Tie::Row& row) {
   const auto gap = kept_gap<Number>(supports.gaps.kept[row.contact]);
   const auto at = [&](const std::array<double, 2>& p, const std::array<double, 2>& q) {
-    return on_piece(gap, {0, {p, q, q}});  // node 5 lies between the corners 0 and 1
+    return scene::on_part(gap, {p, q, q});  // node 5 lies between the corners 0 and 1
   };
   const auto c = at(row.from, row.to);
   return row.from == row.to ? c[0] : Number(c[5] - (c[0] + c[1]) / Number(2));
@@ -125,10 +125,20 @@ Number approach(const Supports& supports, const PlainField& field, int first, in
   return result;
 }
 
-/// r of one contact facet by its Bernstein coefficients. \pre not two-sided
+/// The gap that S pays for.
+template <class Number>
+std::array<Number, 6> gap_paid(const scene::Problem<3>& problem, const Supports& supports,
+                               const scene::ContactFacetOf<3>& pair) {
+  if (!pair.law.two_sided) return numbers<Number>(pair.upper);
+  const scene::Piece<2> piece = scene::piece_of_facet(problem, pair.first);
+  return scene::on_part(kept_gap<Number>(supports.gaps.kept[supports.gaps.of_facet[piece.of]]), piece.corner);
+}
+
+/// r of one contact facet by its Bernstein coefficients.
 template <class Number>
 std::array<Number, 6> approach_on(const scene::Problem<3>& problem, const Supports& supports, const PlainField& field,
                                   const scene::ContactFacetOf<3>& pair) {
+  if (pair.law.two_sided) return gap_paid<Number>(problem, supports, pair);
   const scene::Vector<3>& d = problem.facets[pair.first].normal;
   const auto nodes = nodes_of_facet(problem.mesh, pair.first);
   std::array<Number, 6> r;
@@ -142,15 +152,6 @@ std::array<Number, 6> approach_on(const scene::Problem<3>& problem, const Suppor
     r[k] = k < 3 ? own : Number(r[k] + own);
   }
   return r;
-}
-
-/// The gap that S pays for.
-template <class Number>
-std::array<Number, 6> gap_paid(const scene::Problem<3>& problem, const Supports& supports,
-                               const scene::ContactFacetOf<3>& pair) {
-  if (!pair.law.two_sided) return numbers<Number>(pair.upper);
-  const scene::Piece<2> piece = scene::piece_of_facet(problem, pair.first);
-  return on_piece(kept_gap<Number>(supports.gaps.kept[supports.gaps.of_facet[piece.of]]), piece);
 }
 
 }  // namespace bracket::bounds::space

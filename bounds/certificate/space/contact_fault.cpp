@@ -8,6 +8,7 @@
 #include "bounds/certificate/space/exact_rank.h"
 #include "bounds/certificate/space/kept_gap.h"
 #include "bounds/certificate/space/problem_faults.h"
+#include "scene/problem/space/face_gap.h"
 
 namespace bracket::bounds::space {
 
@@ -52,29 +53,47 @@ bool coincide(const Problem<3>& problem, const scene::ContactFacetOf<3>& pair, c
   return true;
 }
 
-std::string law_fault(const Problem<3>& first, const scene::ContactFacetOf<3>& pair) {
+std::string law_fault(const Problem<3>& first, int contact) {
+  const auto& pair = first.contact[contact];
   const auto& [two_sided, modulus, friction, coulomb] = pair.law;
   if (modulus != std::array<double, 2>{0, 0} || friction != std::array<double, 2>{0, 0} || coulomb != 0)
     return " has springs or friction, of which there is no certificate in space";
   if (!two_sided) return "";
+  if (!first.gaps.empty() && first.gaps[contact].function) return " is two-sided and its gap is no quadratic";
   for (int k = 0; k < 6; ++k)
     if (!(pair.upper[k] - pair.lower[k] <= 16 * epsilon * (first.length_scale + std::abs(pair.lower[k]))))
       return " is two-sided and its gap is not known up to rounding";
   return "";
 }
 
-/// Whether the gaps on a piece enclose those of the first mesh, exactly.
-bool enclose(const scene::ContactFacetOf<3>& pair, const scene::ContactFacetOf<3>& whole,
-             const scene::Piece<2>& piece) {
-  const auto agrees = [&](const scene::FacetQuadratic<3>& own, const scene::FacetQuadratic<3>& given, bool is_lower) {
-    if (std::ranges::all_of(given, [&](double c) { return c == given[0]; }))
-      return std::ranges::all_of(own, [&](double c) { return is_lower ? c <= given[0] : c >= given[0]; });
-    const auto exact = on_piece(numbers<Rational>(given), piece);
-    for (int k = 0; k < 6; ++k)
-      if (is_lower ? Rational(own[k]) > exact[k] : Rational(own[k]) < exact[k]) return false;
-    return true;
+/// Whether the gaps of a contact on a piece enclose those of the first mesh: quadratics exactly, functions as
+/// scene::on_piece() finds them.
+bool enclose(const Problem<3>& problem, const scene::ContactFacetOf<3>& pair, int whole, const scene::Piece<2>& piece) {
+  const Problem<3>& first = scene::first_of(problem);
+  const auto& given = first.contact[whole];
+  const auto is_constant = [](const scene::FacetQuadratic<3>& c) {
+    return std::ranges::all_of(c, [&](double one) { return one == c[0]; });
   };
-  return agrees(pair.lower, whole.lower, true) && agrees(pair.upper, whole.upper, false);
+  const auto& [by, loads, kinematics] = problem.perturbed;
+  const bool is_given = !first.gaps.empty() && first.gaps[whole].function;
+  if (!by && !is_given && is_constant(given.lower) && is_constant(given.upper)) {
+    return std::ranges::all_of(pair.lower, [&](double c) { return c <= given.lower[0]; }) &&
+           std::ranges::all_of(pair.upper, [&](double c) { return c >= given.upper[0]; });
+  }
+  auto lower = scene::on_part(numbers<Rational>(given.lower), piece.corner);
+  auto upper = scene::on_part(numbers<Rational>(given.upper), piece.corner);
+  if (is_given) {
+    const auto found = scene::on_piece(first, whole, pair.first, pair.second, piece);
+    lower = numbers<Rational>(found.lower);
+    upper = numbers<Rational>(found.upper);
+  }
+  std::array<Rational, 6> added{};
+  if (by && kinematics != 0) added = scene::psi<Rational>(by->contact[whole], problem.facets[pair.first].normal, piece);
+  for (int k = 0; k < 6; ++k) {
+    const Rational moved = Rational(kinematics) * added[k];
+    if (Rational(pair.lower[k]) > lower[k] + moved || Rational(pair.upper[k]) < upper[k] + moved) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -82,7 +101,7 @@ bool enclose(const scene::ContactFacetOf<3>& pair, const scene::ContactFacetOf<3
 std::string contact_fault(const Problem<3>& problem) {
   if (std::string fault = direction_fault(problem); !fault.empty()) return fault;
   const Problem<3>& first = scene::first_of(problem);
-  const std::vector<int> contact_of_facet = contacts_by_first(first);
+  const std::vector<int> contact_of_facet = scene::contacts_by_first(first);
   std::vector<char> taken(problem.facets.size(), 0);
   for (const auto& pair : problem.contact) {
     const std::string name = fmt::format("the contact of boundary facet {}", pair.first);
@@ -96,17 +115,17 @@ std::string contact_fault(const Problem<3>& problem) {
       return name + " has directions that are not opposite on its two sides";
     for (int k = 0; k < 6; ++k)
       if (pair.lower[k] > pair.upper[k]) return name + " has a lower gap above its upper one";
-    if (const std::string fault = law_fault(first, pair); !fault.empty()) return name + fault;
     const scene::Piece<2> piece = scene::piece_of_facet(problem, pair.first);
     const int number = contact_of_facet[piece.of];
     if (number < 0) return name + " is none of the first mesh";
     const auto& whole = first.contact[number];
-    if (whole.pair != pair.pair || whole.law.two_sided != pair.law.two_sided ||
+    if (const std::string fault = law_fault(first, number); !fault.empty()) return name + fault;
+    if (whole.pair != pair.pair || whole.law.modulus != pair.law.modulus || whole.law.friction != pair.law.friction ||
+        whole.law.coulomb != pair.law.coulomb || whole.law.two_sided != pair.law.two_sided ||
         (pair.second < 0 ? whole.second >= 0 : scene::piece_of_facet(problem, pair.second).of != whole.second))
       return name + " is none of the first mesh";
     if (pair.second >= 0 && !coincide(problem, pair, whole.meets)) return name + " has sides that do not coincide";
-    if (!first.gaps.empty() && first.gaps[number].function) return name + " has a gap that is no quadratic";
-    if (!enclose(pair, whole, piece)) return name + " has gaps that do not enclose those of the first mesh";
+    if (!enclose(problem, pair, number, piece)) return name + " has gaps that do not enclose those of the first mesh";
   }
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support == Support::contact && !taken[f])

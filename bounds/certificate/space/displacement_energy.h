@@ -128,6 +128,11 @@ FieldEnergy<Number> field_energy(const scene::Problem<3>& problem, const Support
   for (int facet = 0; facet < static_cast<int>(problem.facets.size()); ++facet)
     if (carries_load(problem, corrections, facet))
       work.add(facet_work<Number>(mesh, field, all, facet, prescribed_load(problem, corrections, facet)));
+  for (const auto& pair : problem.contact)
+    if (problem.perturbed.by)
+      work.add(
+          Number(problem.perturbed.loads) *
+          bernstein_product(opening_load<Number>(problem, pair), approach_on<Number>(problem, supports, field, pair)));
   const Number half_a = strain.value();
   return {half_a, half_a - work.value()};
 }

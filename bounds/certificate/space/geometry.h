@@ -58,7 +58,7 @@ template <class Number> Number volume6(const std::array<Vector3<Number>, 4>& x) 
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0]));
 }
 
-/// What block_stress() asks of a cell; of a flat one, normals of small facets by their short edges and the volume by
+/// What balanced_stress() asks of a cell; of a flat one, normals of small facets by their short edges and the volume by
 /// the smallest facet, so that little cancels. \param x its corners
 template <class Number> scene::BlockGeometry<3, Number> cell_geometry(const std::array<Vector3<Number>, 4>& x) {
   scene::BlockGeometry<3, Number> result{x, {}, Number(0)};
@@ -130,18 +130,16 @@ Vector3<Number> arm_of_cell(const scene::Problem<3>& problem, const scene::Vecto
 }
 
 /// Whether a body has weight.
-inline bool has_force(const scene::Problem<3>& problem, int body) { return !problem.bodies[body].force.isZero(0); }
+inline bool has_force(const scene::Problem<3>& problem, int body) {
+  const auto& by = problem.perturbed.by;
+  return !problem.bodies[body].force.isZero(0) || (by && !by->force[body].isZero(0));
+}
 /// The force on a body per volume.
 template <class Number> Vector3<Number> body_force(const scene::Problem<3>& problem, int body) {
-  return vector3<Number>(problem.bodies[body].force);
-}
-
-/// Whether a facet of the first mesh carries a load, but for corrections: it belongs to Γ_τ, or, which is refused, to
-/// Γ_K.
-inline bool is_loaded(const scene::FacetData<3>& data) {
-  return (data.support == scene::Support::traction || data.support == scene::Support::contact) &&
-         (std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); }) ||
-          std::ranges::any_of(data.pressure, [](double p) { return p != 0; }));
+  const auto& [by, loads, kinematics] = problem.perturbed;
+  if (!by) return vector3<Number>(problem.bodies[body].force);
+  return vector3<Number>(scene::first_of(problem).bodies[body].force) +
+         Number(loads) * vector3<Number>(by->force[body]);
 }
 
 /// A correction of the first mesh's loads, by its true amount: load density times area at the facet's vertices.
@@ -150,27 +148,84 @@ template <class Number> struct Corrected {
   FacetVectors<Number> load;
 };
 
+/// A load on a piece of a facet of the first mesh, density times area at its corners, by what is given at the vertices
+/// of the whole: force per area, and pressure against its own normal.
+template <class Number>
+FacetVectors<Number> load_on_piece(const scene::Problem<3>& problem, const scene::Piece<2>& piece, bool has_traction,
+                                   const FacetVectors<Number>& traction, const std::array<double, 3>& pressure) {
+  const Vector3<Number> area_vector =
+      fraction<Number>(piece) * whole_area_vector<Number>(scene::first_of(problem).mesh, piece.of);
+  FacetVectors<Number> load{};
+  if (has_traction) {
+    const Number area = root(dot(area_vector, area_vector));
+    for (int i = 0; i < 3; ++i) load[i] = area * interpolated<Vector3<Number>, Number>(traction, piece.corner[i]);
+  }
+  if (std::ranges::any_of(pressure, [](double p) { return p != 0; }))
+    for (int i = 0; i < 3; ++i) load[i] = load[i] - given_at<Number>(pressure, piece.corner[i]) * area_vector;
+  return load;
+}
+
+/// What a perturbation has on a facet of Γ_τ, as it is, without its factor; and whether it has anything there.
+template <class Number> FacetVectors<Number> perturbing_load(const scene::Problem<3>& problem, int facet) {
+  const scene::Piece<2> piece = scene::piece_of_facet(problem, facet);
+  const auto& added = problem.perturbed.by->facets[piece.of];
+  const auto& traction = added.traction;
+  const bool has_traction = std::ranges::any_of(traction, [](const auto& t) { return !t.is_zero(); });
+  return load_on_piece<Number>(
+      problem, piece, has_traction,
+      {vector3<Number>(traction[0]), vector3<Number>(traction[1]), vector3<Number>(traction[2])}, added.pressure);
+}
+inline bool is_loaded(const scene::Perturbation<3>::Facet& added) {
+  return std::ranges::any_of(added.traction, [](const auto& t) { return !t.is_zero(); }) ||
+         std::ranges::any_of(added.pressure, [](double p) { return p != 0; });
+}
+inline bool has_perturbing_load(const scene::Problem<3>& problem, int facet) {
+  const auto& by = problem.perturbed.by;
+  return by && is_loaded(by->facets[scene::piece_of_facet(problem, facet).of]);
+}
+/// What it has on a contact facet along d on the first side, against it on the second, at the first facet's vertices.
+template <class Number>
+std::array<Number, 3> opening_load(const scene::Problem<3>& problem, const scene::ContactFacetOf<3>& pair) {
+  const scene::Piece<2> piece = scene::piece_of_facet(problem, pair.first);
+  std::array<Number, 3> load = {Number(0), Number(0), Number(0)};
+  const auto& by = problem.perturbed.by;
+  if (!by) return load;
+  const auto& opening = by->contact[by->contact_of[piece.of]].opening;
+  if (std::ranges::all_of(opening, [](double o) { return o == 0; })) return load;
+  const Vector3<Number> n =
+      fraction<Number>(piece) * whole_area_vector<Number>(scene::first_of(problem).mesh, piece.of);
+  const Number area = root(dot(n, n));
+  for (int i = 0; i < 3; ++i) load[i] = area * given_at<Number>(opening, piece.corner[i]);
+  return load;
+}
+
+/// Adds what corrections have on a facet of Γ_τ to a load on it.
+template <class Number>
+void add_corrections(const scene::Problem<3>& problem, const std::vector<Corrected<Number>>& corrections, int facet,
+                     FacetVectors<Number>& load) {
+  if (corrections.empty()) return;
+  const scene::Piece<2> piece = scene::piece_of_facet(problem, facet);
+  for (const auto& [of, added] : corrections)
+    for (int i = 0; i < 3 && of == piece.of; ++i)
+      load[i] = load[i] + fraction<Number>(piece) * interpolated<Vector3<Number>, Number>(added, piece.corner[i]);
+}
+
 /// All that is prescribed on a facet of Γ_τ: load density times area at its vertices.
 template <class Number>
 FacetVectors<Number> prescribed_load(const scene::Problem<3>& problem,
                                      const std::vector<Corrected<Number>>& corrections, int facet) {
   const scene::Piece<2> piece = scene::piece_of_facet(problem, facet);
-  const scene::Problem<3>& first = scene::first_of(problem);
-  const auto& data = first.facets[piece.of];
-  FacetVectors<Number> load{};
-  const Number part = fraction<Number>(piece);
-  if (std::ranges::any_of(data.traction, [](const auto& t) { return !t.isZero(0); })) {
-    const Vector3<Number> n = whole_area_vector<Number>(first.mesh, piece.of);
-    const Number area = part * root(dot(n, n));
-    for (int i = 0; i < 3; ++i) load[i] = area * given_at<Number>(data.traction, piece.corner[i]);
+  const auto& data = scene::first_of(problem).facets[piece.of];
+  const auto& t = data.traction;
+  const bool has_traction = std::ranges::any_of(t, [](const auto& one) { return !one.isZero(0); });
+  FacetVectors<Number> load =
+      load_on_piece<Number>(problem, piece, has_traction,
+                            {vector3<Number>(t[0]), vector3<Number>(t[1]), vector3<Number>(t[2])}, data.pressure);
+  if (has_perturbing_load(problem, facet)) {
+    const auto added = perturbing_load<Number>(problem, facet);
+    for (int i = 0; i < 3; ++i) load[i] = load[i] + Number(problem.perturbed.loads) * added[i];
   }
-  if (std::ranges::any_of(data.pressure, [](double p) { return p != 0; })) {
-    const Vector3<Number> inward = part * -whole_area_vector<Number>(first.mesh, piece.of);
-    for (int i = 0; i < 3; ++i) load[i] = load[i] + given_at<Number>(data.pressure, piece.corner[i]) * inward;
-  }
-  for (const auto& [of, added] : corrections)
-    for (int i = 0; i < 3 && of == piece.of; ++i)
-      load[i] = load[i] + part * interpolated<Vector3<Number>, Number>(added, piece.corner[i]);
+  add_corrections(problem, corrections, facet, load);
   return load;
 }
 
@@ -178,7 +233,7 @@ FacetVectors<Number> prescribed_load(const scene::Problem<3>& problem,
 template <class Number>
 bool carries_load(const scene::Problem<3>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
   const int of = scene::piece_of_facet(problem, facet).of;
-  return is_loaded(scene::first_of(problem).facets[of]) ||
+  return scene::is_loaded(scene::first_of(problem).facets[of]) || has_perturbing_load(problem, facet) ||
          std::ranges::any_of(corrections, [&](const auto& one) { return one.facet == of; });
 }
 

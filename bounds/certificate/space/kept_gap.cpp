@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 
+#include "bounds/certificate/space/exact_rank.h"
+
 namespace bracket::bounds::space {
 
 namespace {
@@ -20,8 +22,7 @@ double size_of(const scene::Problem<3>& first, const KeptGap& gap) {
   return size;
 }
 
-bool may_be_linear(const KeptGap& gap, double rounding) {
-  const auto c = kept_gap<double>(gap);
+bool may_be_linear(const std::array<double, 6>& c, double rounding) {
   for (int e = 0; e < 3; ++e) {
     const auto& [a, b] = scene::Simplex<2>::edges[e];
     if (!(std::abs(c[3 + e] - (c[a] + c[b]) / 2) <= rounding)) return false;
@@ -31,16 +32,12 @@ bool may_be_linear(const KeptGap& gap, double rounding) {
 
 }  // namespace
 
-std::vector<int> contacts_by_first(const scene::Problem<3>& problem) {
-  std::vector<int> contacts(problem.facets.size(), -1);
-  for (std::size_t j = 0; j < problem.contact.size(); ++j) contacts[problem.contact[j].first] = static_cast<int>(j);
-  return contacts;
-}
-
-KeptGaps kept_gaps(const scene::Problem<3>& first) {
+KeptGaps kept_gaps(const scene::Problem<3>& problem) {
+  const scene::Problem<3>& first = scene::first_of(problem);
   if (std::ranges::none_of(first.contact, [](const auto& pair) { return pair.law.two_sided; })) return {};
-  KeptGaps result{contacts_by_first(first), {}, ""};
-  for (const auto& pair : first.contact) result.kept.push_back({pair.lower, pair.upper});
+  KeptGaps result{scene::contacts_by_first(first), {}, ""};
+  for (const auto& pair : first.contact)
+    result.kept.push_back({pair.lower, pair.upper, false, first.facets[pair.first].normal});
   // Seen from either side: the nodes that meet, the lower number first, and the direction from that one.
   std::map<std::pair<std::array<int, 2>, std::array<double, 3>>, std::array<int, 2>> met;  // contact and node of it
   for (std::size_t j = 0; j < first.contact.size(); ++j) {
@@ -72,8 +69,20 @@ KeptGaps kept_gaps(const scene::Problem<3>& first) {
   bool all = true;
   for (std::size_t j = 0; j < first.contact.size(); ++j)
     if (first.contact[j].law.two_sided)
-      all = all && may_be_linear(result.kept[j], rounding_of(size_of(first, result.kept[j])));
-  for (KeptGap& gap : result.kept) gap.is_linear = all;
+      all = all && may_be_linear(kept_gap<double>(result.kept[j]), rounding_of(size_of(first, result.kept[j])));
+  const auto& [by, loads, kinematics] = problem.perturbed;
+  for (std::size_t j = 0; j < first.contact.size(); ++j) {
+    KeptGap& gap = result.kept[j];
+    gap.is_linear = all;
+    if (!by || !first.contact[j].law.two_sided) continue;
+    gap.added = by->contact[j];
+    gap.factor = kinematics;
+    const auto psi = kept_psi<Rational>(gap);
+    for (int e = 0; e < 3; ++e) {
+      const auto& [a, b] = scene::Simplex<2>::edges[e];
+      gap.is_psi_linear = gap.is_psi_linear && psi[3 + e] + psi[3 + e] == psi[a] + psi[b];
+    }
+  }
   return result;
 }
 

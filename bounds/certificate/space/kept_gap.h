@@ -4,30 +4,10 @@
 #include <string>
 
 #include "bounds/certificate/space/supports.h"
+#include "scene/problem/psi.h"
 
 /// Gaps on contact facets, as FacetQuadratic has them.
 namespace bracket::bounds::space {
-
-/// The same quadratic on a piece of its facet: its blossom.
-template <class Number>
-std::array<Number, 6> on_piece(const std::array<Number, 6>& whole, const scene::Piece<2>& piece) {
-  const auto blossom = [&](const std::array<double, 2>& p, const std::array<double, 2>& q) {
-    const std::array<double, 3> a = {(1 - p[0]) - p[1], p[0], p[1]}, b = {(1 - q[0]) - q[1], q[0], q[1]};
-    Number sum(0);
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k)
-        if (a[i] != 0 && b[k] != 0)
-          sum += Number(a[i]) * Number(b[k]) * whole[i == k ? i : 3 + scene::Simplex<2>::edge_between(i, k)];
-    return sum;
-  };
-  std::array<Number, 6> result;
-  for (int k = 0; k < 3; ++k) result[k] = blossom(piece.corner[k], piece.corner[k]);
-  for (int e = 0; e < 3; ++e) {
-    const auto& [a, b] = scene::Simplex<2>::edges[e];
-    result[3 + e] = blossom(piece.corner[a], piece.corner[b]);
-  }
-  return result;
-}
 
 template <class Number> std::array<Number, 6> numbers(const scene::FacetQuadratic<3>& c) {
   return {Number(c[0]), Number(c[1]), Number(c[2]), Number(c[3]), Number(c[4]), Number(c[5])};
@@ -39,7 +19,14 @@ template <class Number> std::array<Number, 6> numbers(const scene::FacetQuadrati
 struct KeptGap {
   scene::FacetQuadratic<3> lower, upper;
   bool is_linear = false;
+  scene::Vector<3> d = scene::Vector<3>::Zero();
+  scene::Perturbation<3>::Contact added = {};  ///< ψ
+  double factor = 0;                           ///< times ψ; 0: nothing
+  bool is_psi_linear = true;
 };
+template <class Number> std::array<Number, 6> kept_psi(const KeptGap& gap) {
+  return scene::psi<Number>(gap.added, gap.d, scene::whole<2>(0));
+}
 template <class Number> std::array<Number, 6> kept_gap(const KeptGap& gap) {
   std::array<Number, 6> c;
   for (int k = 0; k < 6; ++k) c[k] = (Number(gap.lower[k]) + Number(gap.upper[k])) / Number(2);
@@ -47,6 +34,9 @@ template <class Number> std::array<Number, 6> kept_gap(const KeptGap& gap) {
     const auto& [a, b] = scene::Simplex<2>::edges[e];
     c[3 + e] = (c[a] + c[b]) / Number(2);
   }
+  if (gap.factor == 0) return c;
+  const auto psi = kept_psi<Number>(gap);
+  for (int k = 0; k < 6; ++k) c[k] += Number(gap.factor) * psi[k];
   return c;
 }
 
@@ -55,9 +45,6 @@ struct KeptGaps {
   std::vector<KeptGap> kept = {};  ///< of each contact of the first mesh, likewise
   std::string fault = {};          ///< why r = g cannot be: one line
 };
-KeptGaps kept_gaps(const scene::Problem<3>& first);
-
-/// Of each facet, the contact of which it is the first side: index into Problem::contact, −1: none.
-std::vector<int> contacts_by_first(const scene::Problem<3>& problem);
+KeptGaps kept_gaps(const scene::Problem<3>& problem);
 
 }  // namespace bracket::bounds::space

@@ -50,9 +50,11 @@ bool is_same(const scene::Material<3>& a, const scene::Material<3>& b) {
 std::string body_fault(const Problem<3>& problem) {
   const Problem<3>& first = scene::first_of(problem);
   if (problem.bodies.size() != first.bodies.size()) return "there are other bodies than on the first mesh";
+  const auto& by = problem.perturbed.by;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b)
-    if (!is_same(problem.bodies[b].material, first.bodies[b].material) ||
-        problem.bodies[b].force != first.bodies[b].force)
+    if (const bool is_perturbed = by && !by->force[b].isZero(0);  // then the sum is formed from what the first mesh has
+        !is_same(problem.bodies[b].material, first.bodies[b].material) ||
+        (!is_perturbed && problem.bodies[b].force != first.bodies[b].force))
       return fmt::format("'{}' has another material or weight than on the first mesh", problem.mesh.bodies[b]);
   return "";
 }

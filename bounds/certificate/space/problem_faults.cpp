@@ -68,6 +68,7 @@ std::string number_fault(const Problem<3>& problem) {
     if (!finite(data.normal) || !each_finite(data.traction) || !each_finite(data.displacement) ||
         !each_finite(data.correction) || !each_finite(data.pressure) || !each_finite(data.normal_displacement))
       return fmt::format("the data of boundary facet {} are not finite", f);
+    if (scene::degree_of_load(data) > 1) return fmt::format("the load on boundary facet {} is not linear", f);
   }
   for (const auto& pair : problem.contact)
     if (!each_finite(pair.lower) || !each_finite(pair.upper)) return "a gap is not finite";
@@ -83,10 +84,11 @@ std::string number_fault(const Problem<3>& problem) {
 
 std::string problem_fault(const Problem<3>& problem) {
   const Problem<3>& first = scene::first_of(problem);
-  if (problem.perturbed.by) return "quantities beside the energy have no certificate in space";
   for (const Problem<3>* one : {&first, &problem}) {
     if (std::string fault = index_fault(*one); !fault.empty()) return fault;
     if (std::string fault = number_fault(*one); !fault.empty()) return fault;
+    if (one == &problem)
+      if (std::string fault = perturbation_fault(problem); !fault.empty()) return fault;
     if (one == &problem && problem.origin.first)
       if (std::string fault = piece_fault(problem); !fault.empty()) return fault;
     if (std::string fault = topology_fault(*one); !fault.empty()) return fault;

@@ -36,7 +36,11 @@ std::string topology_fault(const scene::Problem<3>& problem);
 std::string piece_fault(const scene::Problem<3>& problem);
 /// of directions, contacts and their laws;
 std::string contact_fault(const scene::Problem<3>& problem);
-/// of loads and displacements on the first mesh.
+/// of loads and displacements on the first mesh;
 std::string support_fault(const scene::Problem<3>& first);
+/// of what is added to the data, where they are perturbed: it fits the first mesh, is finite, loads Γ_τ alone (and
+/// contacts by their opening), and is made of traces of finite energy: displacements that are one at a vertex, and ψ
+/// that does not jump along a contact.
+std::string perturbation_fault(const scene::Problem<3>& problem);
 
 }  // namespace bracket::bounds::space

@@ -61,12 +61,15 @@ PlainLoads plain_loads(const scene::Problem<3>& problem, const std::vector<Face>
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     for (int i = 0; i < 3 && problem.facets[f].support == Support::sliding; ++i)
       loads.along_normal[f][i] = along(static_cast<int>(f), i);
-  for (const auto& pair : problem.contact)
+  for (const auto& pair : problem.contact) {
+    const auto opening = opening_load<double>(problem, pair);
     for (int i = 0; i < 3; ++i) {
       double pressure = -along(pair.first, i);
       if (pair.second >= 0) pressure = (pressure - along(pair.second, pair.meets[i])) / 2;
+      pressure += problem.perturbed.loads * opening[i];
       loads.along_normal[pair.first][i] = pair.law.two_sided ? pressure : std::max(0.0, pressure);
     }
+  }
   drop_noise(problem, faces, loads);
   for (std::size_t f = 0; f < problem.facets.size(); ++f)
     if (problem.facets[f].support != Support::fixed)

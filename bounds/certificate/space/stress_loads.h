@@ -45,8 +45,11 @@ template <class Number> void spread_loads(const scene::Problem<3>& problem, Load
   }
   for (const auto& pair : problem.contact) {
     const Vector3<Number> d = vector3<Number>(problem.facets[pair.first].normal);
+    const auto opening = opening_load<Number>(problem, pair);
     for (int i = 0; i < 3; ++i) {
-      const Vector3<Number> load = loads.along_normal[pair.first][i] * d;
+      Number pressure = loads.along_normal[pair.first][i];
+      if (problem.perturbed.by) pressure -= Number(problem.perturbed.loads) * opening[i];
+      const Vector3<Number> load = pressure * d;
       loads.face[face_of(problem.mesh, pair.first)][i] = -load;
       if (pair.second >= 0) loads.face[face_of(problem.mesh, pair.second)][pair.meets[i]] = load;
     }

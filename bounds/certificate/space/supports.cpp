@@ -7,6 +7,22 @@ namespace bracket::bounds::space {
 
 using scene::Support;
 
+namespace {
+
+/// What a perturbation adds at the vertices of a facet of the first mesh, of which some are another's that is fixed.
+Added added_at(const scene::Problem<3>& problem, const std::array<FacetCorner, 3>& ends) {
+  const auto& [by, loads, kinematics] = problem.perturbed;
+  if (!by || kinematics == 0) return {};
+  Added added{{}, {0, 0, 0}, kinematics};
+  for (int i = 0; i < 3; ++i) {
+    added.end[i] = by->facets[ends[i].facet].displacement[ends[i].corner];
+    added.normal[i] = by->facets[ends[i].facet].normal_displacement[ends[i].corner];
+  }
+  return added;
+}
+
+}  // namespace
+
 std::vector<FacetCorner> fixed_vertices(const scene::Problem<3>& first) {
   std::vector<FacetCorner> fixed(first.mesh.vertices.size());
   for (std::size_t f = 0; f < first.facets.size(); ++f)
@@ -19,11 +35,14 @@ std::array<Slide, 3> slides_of(const scene::Problem<3>& problem, const std::vect
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   const scene::Problem<3>& first = scene::first_of(problem);
   Slide slide{first.facets[of].normal, first.facets[of].normal_displacement};
+  std::array<FacetCorner, 3> ends;
   for (int i = 0; i < 3; ++i) {
     const FacetCorner& held = fixed[first.mesh.boundary[of].vertices[i]];
     slide.fixed[i] = held.facet >= 0;
     if (slide.fixed[i]) slide.displacement[i] = first.facets[held.facet].displacement[held.corner];
+    ends[i] = slide.fixed[i] ? held : FacetCorner{of, i};
   }
+  slide.added = added_at(problem, ends);
   std::array<Slide, 3> slides = {slide, slide, slide};
   for (int i = 0; i < 3; ++i) slides[i].at = corner[i];
   return slides;
@@ -32,7 +51,8 @@ std::array<Slide, 3> slides_of(const scene::Problem<3>& problem, const std::vect
 std::array<Prescribed, 3> holds_of(const scene::Problem<3>& problem, int facet) {
   const auto [of, corner] = scene::piece_of_facet(problem, facet);
   std::array<Prescribed, 3> holds;
-  for (int i = 0; i < 3; ++i) holds[i] = {scene::first_of(problem).facets[of].displacement, corner[i]};
+  const Added added = added_at(problem, {FacetCorner{of, 0}, FacetCorner{of, 1}, FacetCorner{of, 2}});
+  for (int i = 0; i < 3; ++i) holds[i] = {scene::first_of(problem).facets[of].displacement, corner[i], added};
   return holds;
 }
 

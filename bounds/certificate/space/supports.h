@@ -9,12 +9,29 @@
 /// edge, with what the displacement's Bernstein coefficient has beside the mean of those at its ends.
 namespace bracket::bounds::space {
 
+/// What a perturbation adds to the displacements prescribed at the vertices of a facet of the first mesh.
+struct Added {
+  std::array<scene::TwofoldVector<3>, 3> end = {};  ///< U
+  std::array<double, 3> normal = {0, 0, 0};         ///< of U_n beside U·n
+  double factor = 0;                                ///< 0: nothing
+};
+
 /// The displacement that a facet of Γ_u on the first mesh prescribes, at a point of it; zero for an edge.
 struct Prescribed {
   std::array<scene::Vector<3>, 3> end = scene::at_vertices<3>(scene::Vector<3>(scene::Vector<3>::Zero()));
   std::array<double, 2> at = {0, 0};  ///< barycentric coordinates 1, 2
+  Added added = {};
 };
-template <class Number> Vector3<Number> value(const Prescribed& held) { return given_at<Number>(held.end, held.at); }
+/// U there.
+template <class Number> Vector3<Number> added(const Prescribed& held) {
+  const auto& u = held.added.end;
+  return interpolated<Vector3<Number>, Number>({vector3<Number>(u[0]), vector3<Number>(u[1]), vector3<Number>(u[2])},
+                                               held.at);
+}
+template <class Number> Vector3<Number> value(const Prescribed& held) {
+  const Vector3<Number> own = given_at<Number>(held.end, held.at);
+  return held.added.factor == 0 ? own : own + Number(held.added.factor) * added<Number>(held);
+}
 
 /// What a facet of Γ_0 on the first mesh prescribes along its normal, at a point of it: linear between its vertices,
 /// and at a vertex that is fixed what that displacement has along the normal; zero for an edge.
@@ -24,13 +41,22 @@ struct Slide {
   std::array<bool, 3> fixed = {false, false, false};
   std::array<scene::Vector<3>, 3> displacement = Prescribed{}.end;  ///< where fixed
   std::array<double, 2> at = {0, 0};
+  Added added = {};
 };
+/// U_n there.
+template <class Number> Number added(const Slide& slide) {
+  std::array<Number, 3> end;
+  for (int i = 0; i < 3; ++i)
+    end[i] = dot(vector3<Number>(slide.added.end[i]), vector3<Number>(slide.normal)) + Number(slide.added.normal[i]);
+  return interpolated<Number, Number>(end, slide.at);
+}
 template <class Number> Number value(const Slide& slide) {
   std::array<Number, 3> end;
   for (int i = 0; i < 3; ++i)
     end[i] = slide.fixed[i] ? dot(vector3<Number>(slide.displacement[i]), vector3<Number>(slide.normal))
                             : Number(slide.end[i]);
-  return interpolated<Number, Number>(end, slide.at);
+  const Number own = interpolated<Number, Number>(end, slide.at);
+  return slide.added.factor == 0 ? own : Number(own + Number(slide.added.factor) * added<Number>(slide));
 }
 
 /// What the supports prescribe at a node.

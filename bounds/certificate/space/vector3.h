@@ -25,6 +25,12 @@ template <class Number> Vector3<Number> vector3(const scene::Vector<3>& v) {
   return {Number(v[0]), Number(v[1]), Number(v[2])};
 }
 
+template <class Number> Vector3<Number> vector3(const scene::TwofoldVector<3>& v) {
+  Vector3<Number> sum;
+  for (int k = 0; k < 3; ++k) sum[k] = Number(v.value[k]) + Number(v.rest[k]);
+  return sum;
+}
+
 template <class Number> Vector3<Number> operator+(const Vector3<Number>& a, const Vector3<Number>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }

@@ -129,6 +129,20 @@ TEST(SpaceFault, on_the_first_mesh) {
   expect_refused(tests::clamped().problem, changes);
 }
 
+TEST(SpaceFault, cells_on_one_side_of_their_facet) {
+  Problem<3> problem;
+  problem.mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 0.25, 1}};
+  problem.mesh.cells = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+  problem.mesh.cell_body = {0, 0};
+  problem.mesh.bodies = {"body"};
+  problem.mesh = tests::with_topology(std::move(problem.mesh));
+  EXPECT_NE(topology_fault(problem).find("two sides"), std::string::npos) << topology_fault(problem);
+  problem.mesh.vertices[4][2] = -1;
+  problem.mesh.cells[1] = {0, 2, 1, 4};
+  problem.mesh = tests::with_topology(std::move(problem.mesh));
+  EXPECT_EQ(topology_fault(problem), "");
+}
+
 // At a corner of three slides a fourth that does not fit, and one that does.
 TEST(SpaceFault, slides_that_contradict_each_other) {
   Problem<3> problem = tests::clamped().problem;

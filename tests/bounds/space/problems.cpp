@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bounds/certificate/space/kept_gap.h"
+#include "scene/problem/psi.h"
 
 namespace bracket::tests {
 
@@ -265,7 +266,7 @@ scene::Problem<3> halved(const Problem<3>& problem, int edge) {
     finer.facets.push_back(on_piece(first.facets[piece.of], piece));
   }
   const auto met = met_facets(finer.mesh);
-  const auto contacts = bounds::space::contacts_by_first(first);
+  const auto contacts = scene::contacts_by_first(first);
   finer.contact.clear();
   for (int f = 0; f < static_cast<int>(finer.facets.size()); ++f) {
     const Piece<2>& piece = finer.origin.facets[f];
@@ -275,8 +276,8 @@ scene::Problem<3> halved(const Problem<3>& problem, int edge) {
     pair.first = f;
     pair.second = whole.second < 0 ? -1 : met[f].facet;
     pair.meets = met[f].meets;
-    const auto below = bounds::space::on_piece(bounds::space::numbers<double>(whole.lower), piece);
-    const auto above = bounds::space::on_piece(bounds::space::numbers<double>(whole.upper), piece);
+    const auto below = scene::on_part(whole.lower, piece.corner);
+    const auto above = scene::on_part(whole.upper, piece.corner);
     for (int k = 0; k < 6; ++k) {
       const auto [least, most] = std::ranges::minmax(whole.lower);
       const double rounding = least == most ? 0 : 1e-15 * std::max(std::abs(least), std::abs(most));
