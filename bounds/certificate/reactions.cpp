@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace bracket::bounds {
@@ -38,8 +39,26 @@ std::vector<Slack> shear_slacks(const scene::Problem<2>& problem, const PlainLoa
   return result;
 }
 
+/// Of each pair the largest shears of both directions: where all of it slips none has slack, but these can be less.
+std::vector<Slack> largest_shears(const scene::Problem<2>& problem, const PlainLoads& loads,
+                                  const std::vector<char>& carrying) {
+  std::map<std::pair<int, bool>, Slack> found;
+  for (const auto& pair : problem.contact) {
+    if (!scene::has_friction(pair.law) || !carrying[pair.pair]) continue;
+    for (int k = 0; k <= loads.degree; ++k) {
+      const double shear = loads.along_tangent[pair.first][k];
+      if (shear == 0) continue;
+      Slack& largest = found.insert({{pair.pair, shear > 0}, {&pair, k, 0}}).first->second;
+      if (std::abs(shear) > largest.left) largest = {&pair, k, std::abs(shear)};
+    }
+  }
+  std::vector<Slack> result;
+  for (const auto& [of, slack] : found) result.push_back(slack);
+  return result;
+}
+
 std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainLoads& loads) {
-  constexpr double of_nothing = 1e-4, of_shear = 1e-6,
+  constexpr double of_nothing = 1e-4, of_shear = 1e-6, of_full_shear = 1e-8,
                    of_data = 1e-9;  // so small that these come last: see reactions()
   std::vector<Candidate> result;
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -72,6 +91,8 @@ std::vector<Candidate> candidates(const scene::Problem<2>& problem, const PlainL
     if (left > 0)
       result.push_back({{Reaction::Kind::shear, pair->first, k, pair->second, loads.degree},
                         of_shear * std::max(left / most, 1e-2)});
+  for (const auto& [pair, k, size] : largest_shears(problem, loads, carrying))
+    result.push_back({{Reaction::Kind::shear, pair->first, k, pair->second, loads.degree}, of_full_shear});
   for (std::size_t i = 0; i < scene::first_of(problem).corrections.size(); ++i)
     result.push_back({{Reaction::Kind::correction, -1, static_cast<int>(i)}, of_data});
   return result;
