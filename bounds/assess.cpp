@@ -81,9 +81,11 @@ ErrorInterval contact_work(Judge& judge, const Outcome<2>& outcome) {
 ErrorInterval by_energy(Judge& judge, const Outcome<2>& outcome) {
   const ErrorInterval work = contact_work(judge, outcome);
   if (!std::isfinite(work.lower) || !std::isfinite(work.upper)) return {};
-  const Enclosure two(2), least(judge.energy.lower), most(judge.energy.upper);
-  const ErrorInterval of_supported = roots(two * ((least - Enclosure(outcome.upper)) + Enclosure(work.lower)),
-                                           two * ((most - Enclosure(outcome.lower)) + Enclosure(work.upper)));
+  const Enclosure two(2), none(0), most(judge.energy.upper);
+  const bool is_equality = std::isfinite(judge.energy.lower);
+  const Enclosure least =
+      is_equality ? two * ((Enclosure(judge.energy.lower) - Enclosure(outcome.upper)) + Enclosure(work.lower)) : none;
+  const ErrorInterval of_supported = roots(least, two * ((most - Enclosure(outcome.lower)) + Enclosure(work.upper)));
   return widened(of_supported.lower, of_supported.upper, judge.energy.moved);
 }
 

@@ -80,7 +80,8 @@ bool make_way_between(const scene::Problem<2>& problem, const Supports& supports
   return true;
 }
 
-/// Why displacements of this degree cannot keep together what has to, in one line; empty: they can.
+}  // namespace
+
 std::string kept_fault(const scene::Problem<2>& problem, int degree, const Supports& supports) {
   if (!supports.fault.empty()) return supports.fault;
   for (const auto& pair : problem.contact) {
@@ -92,8 +93,6 @@ std::string kept_fault(const scene::Problem<2>& problem, int degree, const Suppo
   }
   return "";
 }
-
-}  // namespace
 
 AdmissibleField admissible_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                  const Supports& supports) {

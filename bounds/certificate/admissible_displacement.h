@@ -33,6 +33,9 @@ std::vector<Number> penetration(const scene::Problem<2>& problem, const Supports
 PlainField plain_field(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                        const Supports& supports);
 
+/// Why displacements of such a degree cannot keep together what has to, in one line; empty: they can.
+std::string kept_fault(const scene::Problem<2>& problem, int degree, const Supports& supports);
+
 /// The displacements of a solution, moved by no more than rounding, so that they are in K with certainty.
 /// \return nothing where the prescribed displacements leave no room; then `reason`
 struct AdmissibleField {

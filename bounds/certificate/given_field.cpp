@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bounds/certificate/arithmetic.h"
 #include "bounds/certificate/functional.h"
@@ -129,8 +130,6 @@ double largest_move(const scene::Problem<2>& first, const PlainField& field, con
 std::string fault_of_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) {
   if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
   if (std::string fault = problem_fault(first); !fault.empty()) return fault;
-  if (std::ranges::any_of(first.contact, [](const auto& pair) { return has_law(pair.law); }))
-    return "displacements from elsewhere are assessed in frictionless contact only: without laws of its own";
   if (given.degree > 2) return "displacements of a degree above 2 violate a contact by more than quadratics";
   return displacement_fault(first, given);
 }
@@ -142,20 +141,24 @@ GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacem
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
   if (!unbalanced.empty()) return {.reason = unbalanced};
   const Supports supports = supports_of(first);
+  if (std::string fault = kept_fault(first, given.degree, supports); !fault.empty()) return {.reason = fault};
   const PlainField field = plain_field(first, given, supports);
   const MovedField<Enclosure> added = moved<Enclosure>(first, supports, field);
   const auto energy = field_energy<Enclosure, LongSum>(first, supports, field, corrections);
   GivenEnergy result;
-  result.lower = lower(energy.total);
+  const bool stores = std::ranges::any_of(
+      first.contact, [](const auto& pair) { return scene::has_springs(pair.law) || scene::has_friction(pair.law); });
+  result.lower = stores ? -std::numeric_limits<double>::infinity() : lower(energy.total);
   result.upper = upper(energy.total);
   result.moved = root_above(squared_move(first, field, added, given));
   result.misfit = largest_move(first, field, added, given);
-  result.valid = std::isfinite(result.lower) && std::isfinite(result.upper) && std::isfinite(result.moved);
+  result.valid = (stores || std::isfinite(result.lower)) && std::isfinite(result.upper) && std::isfinite(result.moved);
   for (const auto& pair : first.contact) {
     const auto r = approach_on<Enclosure>(first, supports, field, pair);
     const auto least = gap_on<Enclosure>(pair.lower, 2), most = gap_on<Enclosure>(pair.upper, 2);
-    std::array<double, 3> below, above;
-    for (int i = 0; i < 3; ++i) {
+    std::array<double, 3> below{}, above{};
+    const bool resists = !pair.law.two_sided && !scene::has_springs(pair.law);
+    for (int i = 0; i < 3 && resists; ++i) {
       below[i] = lower(least[i] - r[i]);
       above[i] = upper(most[i] - r[i]);
       result.valid = result.valid && std::isfinite(below[i]) && std::isfinite(above[i]);

@@ -13,15 +13,16 @@
 /// mesh of a problem; supports and contact it may violate.
 namespace bracket::bounds {
 
-/// Of u_s, which is u_x moved onto the supports exactly.
+/// Of u_s, which is u_x moved onto the supports, and sides that keep together onto each other, exactly.
 struct GivenEnergy {
   bool valid = false;
-  std::string reason;           ///< if not: one line
-  double lower = 0, upper = 0;  ///< L(u_s) is between
-  double moved = 0;             ///< ≥ ‖u_s − u_x‖_A
-  double misfit = 0;            ///< the largest distance by which a node was moved, rounded
+  std::string reason;  ///< if not: one line
+  /// L(u_s) is between; what springs and friction add to it is known from above only: then `lower` is −∞.
+  double lower = 0, upper = 0;
+  double moved = 0;   ///< ≥ ‖u_s − u_x‖_A
+  double misfit = 0;  ///< the largest distance by which a node was moved, rounded
   /// Quadratics around g − r(u_s), below and above, on each contact facet of the first mesh: Bernstein coefficients
-  /// from vertex 0 of its first facet. Negative: it penetrates.
+  /// from vertex 0 of its first facet. Negative: it penetrates. Zero where sides keep together or springs give way.
   std::vector<std::array<double, 3>> below = {}, above = {};
 };
 /// \param first on its first mesh, with its loads in balance
