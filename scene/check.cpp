@@ -125,6 +125,8 @@ template <int dim> Found contact_fault(const Scene<dim>& scene) {
     };
     if (pair.gap && !*pair.gap)
       return fault("gap", fmt::format("the gap of '{}' is an empty function", name(pair.first)));
+    if (pair.jump && (!(*pair.jump)[0] || !(*pair.jump)[1]))
+      return fault("jump", fmt::format("the jump of '{}' has an empty function", name(pair.first)));
     if (const std::string message = law_message(scene, pair); !message.empty()) return fault("law", message);
     const bool crack = !is_wall(pair.second) && pair.first.parts == pair.second.parts;
     if (Found of_obstacle = obstacle_fault<dim>(pair.second, with(key, "second"), pair.where)) return of_obstacle;

@@ -15,6 +15,14 @@ template <int dim> std::string law_message(const Scene<dim>& scene, const Contac
     return fmt::format("contact.law: '{}' has {}", name(pair.law), valued ? "no value" : "a value, and needs none");
   if ((!valued || pair.law == Law::coulomb) && !pair.lifts_off)
     return fmt::format("contact.law: sides that may not lift off are \"bilateral\", not \"{}\"", name(pair.law));
+  if (dim == 3 && pair.jump)
+    return "contact.jump: in space no law resists slip; write contact.gap, which is the jump along the normal";
+  if (pair.jump && (pair.law == Law::winkler || !is_two_sided(pair)))
+    return fmt::format(
+        "contact.jump is of sides that keep together, \"bilateral\" or {{ tresca = g, liftoff = false }}; for '{}' "
+        "write contact.gap, which is that along the normal",
+        name(pair.law));
+  if (pair.jump && pair.gap) return "contact.jump says what contact.gap does, and more; leave one of them out";
   if (pair.law == Law::frictionless) return "";
   if (scene.solve.dual == Dual::uzawa)
     return fmt::format(

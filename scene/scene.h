@@ -108,6 +108,10 @@ template <int dim> struct ContactPair {
   /// none.
   std::optional<Function<dim>> value = {};
   bool lifts_off = true;  ///< winkler, tresca: whether the sides may part; bilateral ones never do
+  /// In place of a gap, of sides that keep together: the displacement of the first less that of the second at which
+  /// they do. Bilateral ones keep what it is along the normal; friction resists what there is of slip beside it. A
+  /// quadratic on each facet of the first mesh.
+  std::optional<std::array<Function<dim>, dim>> jump = {};
 };
 /// Whether the sides keep together: r = g.
 template <int dim> bool is_two_sided(const ContactPair<dim>& pair) {

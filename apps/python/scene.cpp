@@ -85,7 +85,8 @@ void set_number(Scene& scene, scene::ConditionKind kind, const std::string& part
 }
 
 void add_contact(Scene& scene, const py::object& first, const py::object& second, const py::object& gap,
-                 const std::string& name, int zones, const std::string& law, const py::object& value, bool lifts_off) {
+                 const std::string& name, int zones, const std::string& law, const py::object& value, bool lifts_off,
+                 const std::optional<std::array<py::object, 2>>& jump) {
   scene::ContactPair<2> pair;
   pair.law = option_of<scene::Law>(law, "law");
   if (!value.is_none()) pair.value = function_of(value, "value");
@@ -98,6 +99,7 @@ void add_contact(Scene& scene, const py::object& first, const py::object& second
   else
     pair.second = names_of(second, "second");
   if (!gap.is_none()) pair.gap = function_of(gap, "gap");
+  if (jump) pair.jump = {function_of((*jump)[0], "jump"), function_of((*jump)[1], "jump")};
   pair.name = name;
   pair.zones = zones;
   scene.contact.push_back(std::move(pair));
@@ -215,7 +217,7 @@ void add_parts(py::class_<Scene>& scene) {
           "body_force: force by volume.")
       .def("add_contact", add_contact, py::arg("first"), py::arg("second"), py::arg("gap") = none, py::kw_only(),
            py::arg("name") = "", py::arg("zones") = 0, py::arg("law") = "frictionless", py::arg("value") = none,
-           py::arg("lifts_off") = true,
+           py::arg("lifts_off") = true, py::arg("jump") = none,
            "Contact of two sides. first: a boundary part, or a list of them. second: likewise, or\n"
            "\"rigid\", a wall along the first, a Line or a Circle. gap: a length, < 0 for interference;\n"
            "None: as drawn. zones: equally long stretches whose forces are wanted as intervals.\n"

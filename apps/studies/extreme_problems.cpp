@@ -104,8 +104,10 @@ Problem<2> flattened(scene::Scene<2> scene, double factor) {
   };
   for (auto& [name, condition] : scene.boundary)
     for (scene::Function<2>& f : condition.value) f = before(f);
-  for (scene::ContactPair<2>& pair : scene.contact)
+  for (scene::ContactPair<2>& pair : scene.contact) {
     if (pair.gap) pair.gap = before(*pair.gap);
+    if (pair.jump) pair.jump = {before((*pair.jump)[0]), before((*pair.jump)[1])};
+  }
   Mesh<2> mesh = scene::build_mesh(scene);
   for (Vector<2>& x : mesh.vertices) x[1] *= factor;
   return scene::fix_data(scene, std::move(mesh));

@@ -293,7 +293,8 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
     const std::vector<Number>& pressure = loads.along_normal[pair.first];
     energy.add(scene::bernstein_product(pressure, gap_paid<Number>(problem, contacts, pair, 2)));
     if (scene::has_springs(pair.law)) energy.add(compliance_energy(problem, contacts, pair, pressure));
-    if (scene::has_friction(pair.law)) energy.add(friction_paid(problem, pair, loads.along_tangent[pair.first]));
+    if (scene::has_friction(pair.law))
+      energy.add(friction_paid(problem, contacts, pair, loads.along_tangent[pair.first]));
   }
   return energy.value();
 }

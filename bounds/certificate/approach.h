@@ -178,14 +178,15 @@ std::vector<Number> slip_on(const scene::Problem<2>& problem, const Supports& su
                            approach_at_ends<Number>(problem.mesh, supports, field, pair, t));
 }
 
-/// What friction sees of it: v_t − f ψ_t.
+/// What friction sees of it: all but unseen_slip().
 template <class Number>
 std::vector<Number> rubbing_on(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                                const scene::ContactFacet& pair) {
   std::vector<Number> slip = slip_on<Number>(problem, supports, field, pair);
-  if (problem.perturbed.kinematics == 0) return slip;
-  const auto psi = scene::raised_to<Number>(static_cast<int>(slip.size()) - 1, perturbing_slip<Number>(problem, pair));
-  for (std::size_t k = 0; k < slip.size(); ++k) slip[k] -= Number(problem.perturbed.kinematics) * psi[k];
+  std::vector<Number> unseen = unseen_slip<Number>(problem, supports.contacts, pair);
+  if (unseen.empty()) return slip;
+  unseen = scene::raised_to<Number>(static_cast<int>(slip.size()) - 1, std::move(unseen));
+  for (std::size_t k = 0; k < slip.size(); ++k) slip[k] -= unseen[k];
   return slip;
 }
 

@@ -80,7 +80,7 @@ Number perturbing_reactions(const scene::Problem<2>& problem, const EdgeLoads<Nu
 enum class Springs { of_law, as_bodies };
 
 /// κ = ∫ [φ(r, v_t) + φ*(p, τ) − p r − τ v_t] with the laws' energies from above: without a law ∫ p (g − r(v)), g the
-/// upper gap; friction's share is of v_t − f ψ_t.
+/// upper gap; friction's share is of what it sees of v_t.
 template <class Number, class Sum>
 Number contact_work(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                     const EdgeLoads<Number>& loads, Springs springs = Springs::of_law) {

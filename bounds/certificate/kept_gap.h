@@ -112,6 +112,23 @@ std::vector<Number> perturbing_slip(const scene::Problem<2>& problem, const scen
   return {psi.begin(), psi.end()};
 }
 
+/// What friction does not see of v_t on a facet of the problem's mesh: of the first mesh, and f ψ_t. Empty: nothing.
+template <class Number>
+std::vector<Number> unseen_slip(const scene::Problem<2>& problem, const FirstContacts& contacts,
+                                const scene::ContactFacet& pair) {
+  const auto [of, corner] = scene::piece_of_facet(problem, pair.first);
+  const std::array<double, 3>& own = scene::first_of(problem).contact[contacts.of_facet[of]].slip;
+  const double factor = problem.perturbed.kinematics;
+  if (factor == 0 && own == std::array<double, 3>{0, 0, 0}) return {};
+  const auto cut =
+      scene::on_stretch<Number>({Number(own[0]), Number(own[1]), Number(own[2])}, corner[0][0], corner[1][0]);
+  std::vector<Number> result(cut.begin(), cut.end());
+  if (factor == 0) return result;
+  const std::vector<Number> psi = perturbing_slip<Number>(problem, pair);
+  for (int i = 0; i < 3; ++i) result[i] += Number(factor) * psi[i];
+  return result;
+}
+
 /// The same on a two-sided facet of the problem's mesh.
 template <class Number>
 std::array<Number, 3> kept_gap(const scene::Problem<2>& problem, const FirstContacts& contacts,

@@ -38,6 +38,8 @@ std::string own_fault(const Problem<2>& first, std::size_t contact) {
     const auto other = positions(first.mesh, first.mesh.boundary[pair.second].vertices);
     if (one[0] != other[1] || one[1] != other[0]) return "has friction across a distance";
   }
+  if (!std::ranges::all_of(pair.slip, [](double value) { return std::isfinite(value); }))
+    return "has a jump that is not finite";
   if (!std::isfinite(coulomb) || coulomb < 0) return "has a coefficient of friction that is negative or not finite";
   if (!two_sided) return "";
   if (!first.gaps.empty() && first.gaps[contact].function) return "is two-sided and its gap is no quadratic";

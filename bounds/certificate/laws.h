@@ -78,7 +78,8 @@ template <class Number> Number absolute_integral(const std::array<Number, 2>& g,
   return scene::bernstein_product(std::vector<Number>{g[0], g[1]}, c);
 }
 
-/// ∫ φ over a contact facet, not below: of springs ½ ∫ k s² with s ≥ r − g, of friction ∫ g_T |v_t − f ψ_t|.
+/// ∫ φ over a contact facet, not below: of springs ½ ∫ k s² with s ≥ r − g, of friction ∫ g_T |v_t − j_t|, j_t what
+/// it does not see.
 template <class Number>
 Number law_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
                   const scene::ContactFacet& pair) {
@@ -105,12 +106,13 @@ std::vector<Number> gap_paid(const scene::Problem<2>& problem, const FirstContac
   return scene::raised_to<Number>(degree, std::vector<Number>(gap.begin(), gap.end()));
 }
 
-/// What friction has of ∫ φ*: f ∫ τ ψ_t.   \param shear per unit of the facet's parameter
+/// What friction has of ∫ φ*: ∫ τ j_t, j_t what it does not see of the slip.   \param shear per unit of the facet's
+/// parameter
 template <class Number>
-Number friction_paid(const scene::Problem<2>& problem, const scene::ContactFacet& pair,
+Number friction_paid(const scene::Problem<2>& problem, const FirstContacts& contacts, const scene::ContactFacet& pair,
                      const std::vector<Number>& shear) {
-  if (!scene::has_friction(pair.law) || problem.perturbed.kinematics == 0) return Number(0);
-  return Number(problem.perturbed.kinematics) * scene::bernstein_product(shear, perturbing_slip<Number>(problem, pair));
+  const std::vector<Number> unseen = unseen_slip<Number>(problem, contacts, pair);
+  return unseen.empty() ? Number(0) : scene::bernstein_product(shear, unseen);
 }
 
 /// What springs have of ∫ φ*, not below: ½ ∫ p² C. \param pressure per unit of the facet's parameter

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "scene/fault.h"
 #include "scene/fields.h"
 #include "scene/mesh/topology.h"
 #include "scene/problem/gap.h"
+#include "scene/problem/law.h"
 #include "scene/problem/laws.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
@@ -149,6 +151,30 @@ FixedFacets<dim> fix_facets(const Scene<dim>& scene, const Mesh<dim>& mesh,
   return fixed;
 }
 
+/// A component of a jump.
+Function<2> component(const std::array<Function<2>, 2>& jump, const Vector<2>& along) {
+  const auto at_points = [jump, along](const Vector<2>& x) { return along[0] * jump[0](x) + along[1] * jump[1](x); };
+  if (!jump[0].is_enclosed() || !jump[1].is_enclosed()) return at_points;
+  return {at_points, [jump, along](const Function<2>::Range& x) {
+            return Jet(along[0]) * jump[0].over(x) + Jet(along[1]) * jump[1].over(x);
+          }};
+}
+
+/// What friction does not see of the slip, where a jump is prescribed: a quadratic on the facet, by coefficients that
+/// are the data from here on, as prescribed displacements are.
+void fix_jump(const ContactPair<2>& pair, const Vector<2>& a, const Vector<2>& b, const Vector<2>& d,
+              ContactFacet& facet) {
+  if (!pair.jump || !has_friction(facet.law)) return;
+  const Function<2> along = component(*pair.jump, tangent(d));
+  const auto bounds = along.is_enclosed() ? quadratic_gap(along, a, b) : std::nullopt;
+  if (!bounds)
+    fail(Status::input, pair.where,
+         fmt::format("contact.jump of '{}' must be an expression that is quadratic on each edge of the first mesh, and "
+                     "is not on the edge from {} to {}",
+                     name(pair.first), point(a), point(b)));
+  for (int i = 0; i < 3; ++i) facet.slip[i] = 0.5 * bounds->lower[i] + 0.5 * bounds->upper[i];
+}
+
 /// Fills in the gaps of the contact.
 Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
   Extent gap;
@@ -157,20 +183,23 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
     ContactFacet& facet = problem.contact[i];
     const ContactPair<2>& pair = scene.contact[facet.pair];
     const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    if (const auto* circle = std::get_if<CircleObstacle>(&pair.second.obstacle); circle != nullptr && !pair.gap) {
+    const Vector<2>& d = problem.facets[facet.first].normal;
+    fix_jump(pair, a, b, d, facet);
+    const std::optional<Function<2>> given = pair.jump ? component(*pair.jump, d) : pair.gap;
+    if (const auto* circle = std::get_if<CircleObstacle>(&pair.second.obstacle); circle != nullptr && !given) {
       problem.gaps[i].function = distance(*circle, problem.facets[facet.first].normal);
       problem.gaps[i].where = pair.where;
-    } else if (!pair.gap || !pair.gap->is_enclosed()) {
+    } else if (!given || !given->is_enclosed()) {
       const FacetValues<3> values =
-          pair.gap ? interpolate_quadratic(*pair.gap, a, b, pair.where) : drawn_gap(scene, problem, facet);
+          given ? interpolate_quadratic(*given, a, b, pair.where) : drawn_gap(scene, problem, facet);
       const auto& [start, end, middle] = values.value;
       facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
       gap.include(values);
-    } else if (const auto quadratic = quadratic_gap(*pair.gap, a, b)) {
+    } else if (const auto quadratic = quadratic_gap(*given, a, b)) {
       facet.lower = quadratic->lower;
       facet.upper = quadratic->upper;
     } else {
-      problem.gaps[i].function = *pair.gap;
+      problem.gaps[i].function = *given;
       problem.gaps[i].where = pair.where;
     }
   }
@@ -238,7 +267,8 @@ template <int dim> bool samples(const Scene<dim>& scene) {
                        return std::any_of(part.second.value.begin(), part.second.value.end(), sampled);
                      }) ||
          std::any_of(scene.contact.begin(), scene.contact.end(), [&](const auto& pair) {
-           return (pair.gap && sampled(*pair.gap)) || (pair.value && sampled(*pair.value));
+           return (pair.gap && sampled(*pair.gap)) || (pair.value && sampled(*pair.value)) ||
+                  (pair.jump && (sampled((*pair.jump)[0]) || sampled((*pair.jump)[1])));
          });
 }
 

@@ -74,6 +74,7 @@ ContactFacet on_piece(const Problem<2>& first, int contact, int one, int other, 
     facet.law.modulus[i] = between_ends(given.law.modulus, piece.corner[i][0]);
     facet.law.friction[i] = between_ends(given.law.friction, piece.corner[i][0]);
   }
+  facet.slip = on_stretch(given.slip, piece.corner[0][0], piece.corner[1][0]);
   if (!first.gaps.empty() && first.gaps[contact].function) {
     const auto& [a, b] = first.mesh.boundary[given.first].vertices;
     const GapBounds bounds = enclosed_gap(first.gaps[contact], first.mesh.vertices[a], first.mesh.vertices[b], piece);

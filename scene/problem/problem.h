@@ -85,8 +85,8 @@ template <int dim> struct ContactFacetOf {
   FacetLaw law = {};  ///< in space only `two_sided` counts
   /// Which vertex of the second facet lies on vertex i of the first; in the plane always 1 and 0.
   std::array<int, dim> meets = backwards<dim>();
-  /// Planar: what friction does not see of v_t: it acts on v_t less this quadratic, likewise. Zero but in a perturbed
-  /// problem, and there rounded, which the certificate does not use.
+  /// Planar: what friction does not see of v_t: it acts on v_t less this quadratic, likewise. On the first mesh it is
+  /// that of a prescribed jump, exactly; on others, and in a perturbed problem, rounded.
   FacetQuadratic<dim> slip = {};
 };
 using ContactFacet = ContactFacetOf<2>;

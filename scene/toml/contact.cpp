@@ -78,13 +78,18 @@ template <int dim> void read_law(const toml::node& node, ContactPair<dim>& pair)
 }  // namespace
 
 template <int dim> ContactPair<dim> read_contact(const toml::table& entry) {
-  check_keys(entry, "[[contact]]", {"first", "second", "law", "gap", "name", "zones"});
+  check_keys(entry, "[[contact]]", {"first", "second", "law", "gap", "jump", "name", "zones"});
   ContactPair<dim> pair;
   pair.where = where(entry);
   pair.first = read_side<dim>(required(entry, "[[contact]]", "first"), "contact.first", false);
   pair.second = read_side<dim>(required(entry, "[[contact]]", "second"), "contact.second", true);
   if (const toml::node* gap = entry.get("gap"); gap != nullptr && gap->value<std::string>() != "drawn")
     pair.gap = function<dim>(*gap, "contact.gap");
+  if (const toml::node* jump = entry.get("jump")) {
+    const toml::array& all = list(*jump, "contact.jump", dim);
+    pair.jump.emplace();
+    for (int i = 0; i < dim; ++i) (*pair.jump)[i] = function<dim>(all[i], "contact.jump");
+  }
   if (const toml::node* law = entry.get("law")) read_law(*law, pair);
   if (const toml::node* own = entry.get("name")) pair.name = label(*own, "contact.name");
   if (const toml::node* zones = entry.get("zones")) pair.zones = integer(*zones, "contact.zones");
@@ -99,6 +104,10 @@ bool is_bond(const toml::table& entry) {
 }
 
 Bond read_bond(const toml::table& entry) {
+  if (const toml::node* node = entry.get("jump"))
+    refuse(*node,
+           "bonded sides are one piece, their displacements one: for a jump between them write law = { tresca = g, "
+           "liftoff = false } with a g that they do not slip at");
   for (const char* key : {"gap", "zones", "name"})
     if (const toml::node* node = entry.get(key))
       refuse(*node, fmt::format("bonded sides are one piece: they have no {}; leave contact.{} out", key, key));

@@ -98,6 +98,43 @@ TEST(Laws, UniformShearSticksOrSlipsAtTheBound) {
   }
 }
 
+// A jump (x, y) between block and wall prescribes the displacement of the bottom, but for what slips.
+TEST(Laws, AJumpIsWhatFrictionDoesNotSee) {
+  constexpr double shear = young / 2, down = 0.25, area = 2, x = 0.5, y = 0.125;
+  const double pressed = 0.5 * young * (down + y) * (down + y) * area;
+  const auto with_jump = [](Scene<2> s) {
+    s.contact[0].lifts_off = false;
+    s.contact[0].jump = {constant(x), constant(y)};
+    return s;
+  };
+  for (const double sign : {1.0, -1.0}) {
+    const double stuck = 0.125 * sign, t = shear * stuck;
+    expect_energy(with_jump(sheared(x + stuck, down, 0.5, t)), pressed + 0.5 * t * t / shear * area);
+    const double bound = 0.375, along = 0.75 * sign, slip = std::abs(along) - bound / shear;
+    expect_energy(with_jump(sheared(x + along, down, bound, bound * sign)),
+                  pressed + 0.5 * bound * bound / shear * area + bound * slip * 2);
+  }
+}
+
+// A body that friction alone holds follows a jump that is rigid, and nothing is strained.
+TEST(Laws, ARigidJumpIsARigidMotion) {
+  Scene<2> s = two_bodies(0, 1, 1, 1, 4, 2);
+  s.bodies = {{"lower", scene::isotropic<2>(3, 0.3, scene::Plane::strain)},
+              {"upper", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
+  s.boundary = {{"lower.bottom", fixed(0, 0)}};
+  s = with_law(s, {"", Law::tresca, constant(1), false});
+  s.contact[0].gap.reset();
+  s.contact[0].jump = {scene::enclosed<2>([](const auto& x) { return 0.25 - 0.125 * x[1]; }),
+                       scene::enclosed<2>([](const auto& x) { return 0.125 * x[0] - 0.5; })};
+  const auto outcome = bounds::run(s);
+  ASSERT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+  EXPECT_LE(outcome.lower, 0);
+  EXPECT_GE(outcome.upper, 0);
+  EXPECT_LE(outcome.upper - outcome.lower, 1e-14);
+  const auto top = bounds::largest_displacement(outcome.problem, outcome.displacement);
+  EXPECT_NEAR(top.displacement.norm(), scene::Vector<2>(0.25, -0.5).norm(), 1e-12);
+}
+
 TEST(Laws, ABlockThatFrictionAloneHoldsIsSheared) {
   Scene<2> s = sheared(0, 0, 0.5, 0.25);
   s.boundary.at("b.top") = traction(constant(0.25), constant(-0.5));

@@ -55,6 +55,11 @@ TEST(ContactLaws, AreRefusedWithTheWayOut) {
       {"law = { winkler = 1, tensoin = true }", {"tensoin", "'tension'"}},
       {"law = { winkler = 1, tension = 1 }", {"contact.law.tension must be true or false"}},
       {"law = \"bilateral\"\nzones = 2", {"cannot lift off", "no zones"}},
+      {"jump = [0, 1]", {"contact.jump is of sides that keep together", "write contact.gap"}},
+      {"law = { tresca = 1 }\njump = [0, 1]", {"liftoff = false"}},
+      {"law = \"bilateral\"\njump = [0, 1]", {"leave one of them out"}},
+      {"law = \"bilateral\"\njump = [1]", {"contact.jump"}},
+      {"law = \"bonded\"\njump = [0, 1]", {"bonded sides are one piece", "tresca"}},
   };
   const Folder folder;
   for (const auto& [line, named] : wrong) {

@@ -126,7 +126,7 @@ Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& 
   }
   for (const auto& pair : problem.contact) {
     result += (pressure(problem, stress, pair) * gap(problem, pair)).mean();
-    if (scene::has_friction(pair.law)) result += (shear(problem, stress, pair) * gap_of(pair.slip)).mean();
+    if (scene::has_friction(pair.law)) result += (shear(problem, stress, pair) * unseen(problem, pair)).mean();
   }
   return result;
 }

@@ -128,11 +128,19 @@ inline Polynomial gap(const scene::Problem<2>& problem, const scene::ContactFace
          Polynomial::monomial(2, {0, 2, 0}, c[2]);
 }
 
+/// What friction does not see of the slip, which the certificate is asked for: of a jump, and of a perturbation.
+inline Polynomial unseen(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  const auto c = unseen_slip<Exact>(problem, first_contacts(problem), pair);
+  if (c.empty()) return Polynomial();
+  return Polynomial::monomial(2, {2, 0, 0}, c[0]) + Polynomial::monomial(2, {1, 1, 0}, Exact(2) * c[1]) +
+         Polynomial::monomial(2, {0, 2, 0}, c[2]);
+}
+
 /// What friction sees of (u' − u'')·t likewise, and τ, per unit of the parameter as p is.
 inline Polynomial slip(const scene::Problem<2>& problem, const ExactDisplacement& u, const scene::ContactFacet& pair) {
   const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
   const Polynomial v = dot(displacement_on(problem.mesh, u, pair.first), t);
-  const Polynomial seen = v - gap_of(pair.slip);
+  const Polynomial seen = v - unseen(problem, pair);
   return pair.second < 0 ? seen : seen - dot(displacement_on(problem.mesh, u, pair.second), t).reversed();
 }
 /// λn of the first side beside the loads of a perturbed problem.

@@ -17,6 +17,7 @@ struct GivenLaw {
   Law law;
   std::optional<scene::Function<2>> value = {};
   bool lifts_off = true;
+  bool jumps = false;
 };
 
 /// Of numbers so short that pieces of facets have them without rounding.
@@ -30,7 +31,16 @@ inline std::vector<GivenLaw> laws() {
           {"springs that pull", Law::winkler, linear(4, 0.5), false},
           {"friction", Law::tresca, tests::constant(1.0 / 64)},
           {"linear friction", Law::tresca, linear(0.125, 1.0 / 32)},
-          {"friction without lift-off", Law::tresca, tests::constant(1.0 / 64), false}};
+          {"friction without lift-off", Law::tresca, tests::constant(1.0 / 64), false},
+          {"friction with a jump", Law::tresca, tests::constant(1.0 / 64), false, true},
+          {"bilateral with a jump", Law::bilateral, {}, true, true}};
+}
+
+/// A jump that is quadratic, of short numbers, in place of the gap.
+inline void set_jump(scene::ContactPair<2>& pair) {
+  pair.gap.reset();
+  pair.jump = {scene::enclosed<2>([](const auto& x) { return 1.0 / 32 + x[0] * x[0] / 64; }),
+               scene::enclosed<2>([](const auto& x) { return x[0] / 128 - 1.0 / 64; })};
 }
 
 inline scene::Scene<2> with_law(scene::Scene<2> scene, const GivenLaw& law) {
@@ -38,6 +48,7 @@ inline scene::Scene<2> with_law(scene::Scene<2> scene, const GivenLaw& law) {
     pair.law = law.law;
     pair.value = law.value;
     pair.lifts_off = law.lifts_off;
+    if (law.jumps) set_jump(pair);
   }
   return scene;
 }
