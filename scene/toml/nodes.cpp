@@ -26,6 +26,18 @@ std::string type_of(const toml::node& node) {
   }
 }
 
+/// What to write in place of keys that people expect; nullptr: nothing is known.
+const char* way_out_of(const std::string& key) {
+  if (key == "friction" || key == "mu")
+    return "friction is a law of a [[contact]]: law = { tresca = g } with a bound of the shear, or { coulomb = mu }";
+  if (key == "spring" || key == "springs")
+    return "a point that a spring holds gives way without limit; springs along a part are a [[contact]] with \"rigid\" "
+           "and law = { winkler = k, tension = true }";
+  if (key == "point" || key == "points" || key == "node" || key == "nodes")
+    return "a force or a support at a point has no finite energy; give it to a short boundary part";
+  return nullptr;
+}
+
 }  // namespace
 
 std::string where(const toml::source_region& source) {
@@ -40,9 +52,8 @@ void check_keys(const toml::table& table, const std::string& name, const std::ve
   for (const auto& [key, node] : table) {
     const std::string found{key.str()};
     if (std::find(known.begin(), known.end(), found) != known.end()) continue;
-    if (found == "friction")
-      fail(Status::input, where(key.source()),
-           "friction: this program does not do that, contact is without; leave the key out to see what that gives");
+    if (const char* way_out = way_out_of(found); way_out != nullptr)
+      fail(Status::input, where(key.source()), fmt::format("unknown key '{}': {}", found, way_out));
     fail(Status::input, where(key.source()),
          fmt::format("unknown key '{}'{}: {}", found, name.empty() ? "" : " in " + name, suggestion(found, known)));
   }

@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -101,10 +102,17 @@ TEST_F(Commands, HelpHasEveryKeyThatTheReaderKnows) {
 }
 
 TEST_F(Commands, WhatSceneFilesLackIsSaid) {
-  for (const char* key : {"friction", "contact.0.friction", "bodies.lower.friction"}) {
-    const Ended friction = shell(std::string("bracket check scene.toml --set ") + key + "=0.3");
-    EXPECT_EQ(friction.status, 2);
-    EXPECT_NE(friction.err.find("friction: this program does not do that"), std::string::npos) << friction.err;
+  const std::vector<std::array<const char*, 2>> expected = {{"friction", "law = { tresca = g }"},
+                                                            {"contact.0.friction", "law = { tresca = g }"},
+                                                            {"bodies.lower.friction", "tresca = g"},
+                                                            {"contact.0.mu", "{ coulomb = mu }"},
+                                                            {"springs", "law = { winkler = k, tension"},
+                                                            {"boundary.lower.bottom.spring", "winkler = k"},
+                                                            {"points", "short boundary part"}};
+  for (const auto& [key, way_out] : expected) {
+    const Ended ended = shell(std::string("bracket check scene.toml --set ") + key + "=0.3");
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_NE(ended.err.find(way_out), std::string::npos) << ended.err;
   }
   std::string scene = two_blocks;
   scene.erase(scene.find("schema = 1"), 10);
