@@ -19,8 +19,10 @@ using scene::Vector;
 
 /// Judges the certificates of all degrees on all cases.
 template <class Check> void for_all_cases(const Check& check) {
+  int seen = 0;
   for (const tests::Case& c : tests::cases())
     for (const int degree : {1, 2, 3, 4}) {
+      if (++seen % tests::one_in != 0) continue;
       SCOPED_TRACE(c.name + ", degree " + std::to_string(degree));
       const auto problem = tests::problem_of(c);
       const auto displacements = primal::solve(problem, degree);
@@ -136,7 +138,7 @@ scene::Problem<2> random_problem(std::mt19937& generator) {
 TEST(Certificate, holds_exactly_on_random_scenes) {
   constexpr int scenes = 40;
   int certified = 0;
-  for (int seed = 0; seed < scenes; ++seed) {
+  for (int seed = 0; seed < scenes; seed += tests::one_in) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 generator(seed);
     const int degree = 1 + seed % 4;
@@ -159,7 +161,7 @@ TEST(Certificate, holds_exactly_on_random_scenes) {
     ++certified;
     expect_holds_exactly(problem, certificate, judged(problem, u, stress));
   }
-  EXPECT_GT(3 * certified, scenes);
+  EXPECT_GT(3 * certified, scenes / tests::one_in);
 }
 
 }  // namespace
