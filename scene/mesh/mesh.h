@@ -24,12 +24,12 @@ template <int dim> struct Mesh {
   std::vector<std::array<int, 2>> edges;                           ///< vertices, the lower index first
   std::vector<std::array<int, Simplex<dim>::n_edges>> cell_edges;  ///< in the order of Simplex::edges
   std::vector<char> refinement_edge;  ///< of each cell: which of its edges bisection cuts first
-  /// In space, what bisection goes by besides: see scene/mesh/space/bisection.h.
+  /// In space, what bisection goes by besides: see scene/mesh/space/marks.h.
   struct Marks {
     std::array<char, dim + 1> facet;  ///< of each facet of a cell the edge at which it is cut first
     bool flagged = false;
   };
-  std::vector<Marks> marks;  ///< of each cell; empty: each facet's longest edge, in the order of longest_edges()
+  std::vector<Marks> marks;  ///< of each cell; empty: they are yet to be chosen
   /// Of each cell the numbers of its facets; empty in the plane, where they are those of the edges. See cell_facets().
   std::vector<std::array<int, dim + 1>> facet_numbers;
   int facet_count = 0;  ///< in space: how many facets there are

@@ -43,7 +43,7 @@ inline scene::Scene<3> two_blocks(int n, double pull = 0.09, double poisson = 0.
 }
 inline constexpr double two_blocks_least = -0.00156588569415 / 2, two_blocks_most = -0.00156588566432 / 2;
 
-/// docs/theory.md §12.5: uniaxial, σ_zz = −(1 − c x − c′ y); each body keeps three motions. L = −3.3125.
+/// docs/theory.md §12.6: uniaxial, σ_zz = −(1 − c x − c′ y); each body keeps three motions. L = −3.3125.
 inline scene::Scene<3> linear_pressure(int n, double poisson) {
   scene::Scene<3> s;
   s.blocks = {block("lower", {-1, 1}, {-1, 1}, {-1, 0}, {n, n, n / 2}),

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "scene/mesh/space/marks.h"
 #include "scene/mesh/topology.h"
 #include "scene/problem/halfway.h"
 #include "scene/text.h"
@@ -20,37 +21,6 @@ namespace {
 
 using Table = Simplex<3>;
 constexpr std::array<std::array<int, 2>, 6> edges = Table::edges;
-
-bool has(int edge, int vertex) { return edges[edge][0] == vertex || edges[edge][1] == vertex; }
-
-/// The edge at which a cell is cut: the one where both of its facets are marked.
-int refinement_edge(const std::array<char, 4>& marks) {
-  for (int edge = 0; edge < 6; ++edge) {
-    int times = 0;
-    for (int k = 0; k < 4; ++k) times += marks[k] == edge && !has(edge, k);
-    if (times == 2) return edge;
-  }
-  assert(false);
-  return -1;
-}
-
-/// The marks of the first mesh: each facet's longest edge, in the order of longest_edges().
-std::vector<Mesh<3>::Marks> longest_marks(const Mesh<3>& mesh) {
-  std::vector<Mesh<3>::Marks> all;
-  all.reserve(mesh.cells.size());
-  for (const auto& of_cell : mesh.cell_edges) {
-    const auto rank = [&](int edge) { return edge_rank(mesh, of_cell[edge]); };
-    Mesh<3>::Marks marks;
-    for (int k = 0; k < 4; ++k) {
-      int longest = -1;
-      for (int edge = 0; edge < 6; ++edge)
-        if (!has(edge, k) && (longest < 0 || rank(longest) < rank(edge))) longest = edge;
-      marks.facet[k] = static_cast<char>(longest);
-    }
-    all.push_back(marks);
-  }
-  return all;
-}
 
 std::vector<int> glued_vertices(const Problem<3>& problem) {
   const Mesh<3>& mesh = problem.mesh;
@@ -87,7 +57,7 @@ class Forest {
  public:
   Forest(const Problem<3>& problem, std::vector<int> glued)
       : old_(problem.mesh), vertices_(problem.mesh.vertices), glued_(std::move(glued)) {
-    const std::vector<Mesh<3>::Marks> marks = old_.marks.empty() ? longest_marks(old_) : old_.marks;
+    const std::vector<Mesh<3>::Marks> marks = old_.marks.empty() ? first_marks(old_, glued_) : old_.marks;
     nodes_.reserve(2 * old_.cells.size());
     for (std::size_t c = 0; c < old_.cells.size(); ++c)
       nodes_.push_back({old_.cells[c], piece_of_cell(problem, static_cast<int>(c)).corner, marks[c], {}});
@@ -168,23 +138,9 @@ class Forest {
 
   /// The child that keeps one end of the refinement edge; the middle takes the place of the other.
   static Node child(const Node& parent, int kept, int moved, int middle) {
-    Node child{parent.vertices, parent.corner, parent.marks, {}, parent.depth + 1};
+    Node child{parent.vertices, parent.corner, marks_of_child(parent.marks, kept, moved), {}, parent.depth + 1};
     child.vertices[moved] = middle;
     child.corner[moved] = halfway(parent.corner[kept], parent.corner[moved]);
-    std::array<int, 2> others;
-    for (int k = 0, n = 0; k < 4; ++k)
-      if (k != kept && k != moved) others[n++] = k;
-    // Facets by the vertex opposite: the old one to `moved`, the new one to `kept`.
-    auto& marks = child.marks.facet;
-    const int old = marks[moved], across = parent.marks.facet[kept];
-    int shared = -1;  // the end that both old marks have besides those of the refinement edge: they lie in one plane
-    for (const int k : others)
-      if (has(old, k) && has(old, kept) && has(across, k) && has(across, moved)) shared = k;
-    for (int n = 0; n < 2; ++n) marks[others[n]] = static_cast<char>(Table::edge_between(kept, others[1 - n]));
-    const bool flagged = shared >= 0 && parent.marks.flagged;
-    marks[kept] =
-        static_cast<char>(flagged ? Table::edge_between(moved, shared) : Table::edge_between(others[0], others[1]));
-    child.marks.flagged = shared >= 0 && !parent.marks.flagged;
     for (BoundaryPart part : parent.boundary) {
       if (part.local == kept) continue;
       if (part.local != moved) {

@@ -1,10 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// In space: bisection of tetrahedra [Arnold, Mukherjee & Pouly, SIAM J. Sci. Comput. 22 (2000)]. Every facet has a
-// mark, one of its edges; the two facets at a cell's refinement edge are marked there. A cell is cut from the middle m
-// of that edge. Its children's facets: an old one keeps its mark, at which the child is cut; the halves of those that
-// were cut are marked opposite to m; so is the new one, but where the parent's marks lie in one plane and it is
-// flagged: there from m to the end of the child's refinement edge. Children are flagged where the parent's marks lie in
-// one plane and it is not.
+// In space: bisection of tetrahedra, at the edges that scene/mesh/space/marks.h says.
 #pragma once
 
 #include "scene/mesh/mesh.h"

@@ -58,4 +58,12 @@ Eigen::Matrix3d random_rotation(Random& random) {
   return Eigen::AngleAxisd(uniform(random, 0, std::numbers::pi), axis.normalized()).toRotationMatrix();
 }
 
+int generation(const Problem<3>& problem, std::size_t cell) {
+  const Piece<3> piece = piece_of_cell(problem, static_cast<int>(cell));
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) edges(i, k) = piece.corner[k + 1][i] - piece.corner[0][i];
+  return static_cast<int>(std::lround(-std::log2(std::abs(edges.determinant()))));
+}
+
 }  // namespace bracket::scene::test

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/problem/problem.h"
 #include "tests/scene/inputs.h"
 
 /// Scenes for the tests of this folder.
@@ -21,5 +22,8 @@ Mesh<3> shaken(Mesh<3> mesh, Random& random, double size);
 Mesh<3> turned_about(Mesh<3> mesh, const Eigen::Matrix3d& rotation, const Vector<3>& by);
 
 Eigen::Matrix3d random_rotation(Random& random);
+
+/// How often a cell of the first mesh was bisected to come to this one.
+int generation(const Problem<3>& problem, std::size_t cell);
 
 }  // namespace bracket::scene::test
