@@ -69,17 +69,17 @@ std::vector<FacetData<2>> with_agreement(const Mesh<2>& mesh, std::vector<FacetD
 
 namespace {
 
-/// What is prescribed at one end of a contact facet, in more digits than the data have.
+/// What is prescribed at one end of a contact facet.
 struct Prescribed {
-  long double along = 0;  ///< the displacement along d
-  double size = 0;        ///< of the whole
+  Enclosure along;  ///< the displacement along d
+  double size = 0;  ///< of the whole
 };
 
 /// \return nothing where the displacement along d is free
 std::optional<Prescribed> prescribed(const FacetData<2>& data, int end, const Vector<2>& d) {
   if (data.support == Support::fixed) {
     const Vector<2>& u = data.displacement[end];
-    return Prescribed{static_cast<long double>(u[0]) * d[0] + static_cast<long double>(u[1]) * d[1], u.norm()};
+    return Prescribed{Enclosure(u[0]) * Enclosure(d[0]) + Enclosure(u[1]) * Enclosure(d[1]), u.norm()};
   }
   const double u = data.normal_displacement[end];
   if (data.support == Support::sliding && data.normal == d) return Prescribed{u, std::abs(u)};
@@ -88,20 +88,19 @@ std::optional<Prescribed> prescribed(const FacetData<2>& data, int end, const Ve
 }
 
 /// The least gap that admits an approach: `gap`, or what is not more than the tolerance above it.
-double with_room(double gap, long double approach, double tolerance) {
-  if (approach <= gap || approach - gap > tolerance) return gap;
-  return upper(Interval(approach));
+double with_room(double gap, const Enclosure& approach, double tolerance) {
+  const double room = upper(approach);
+  return room <= gap || room - gap > tolerance ? gap : room;
 }
 
 /// Makes the gap of sides that keep together that approach, if it differs by no more than the tolerance: no
 /// displacement could make good what rounding did. \return by how much it was changed
-double adapt(ContactFacet& facet, int end, long double approach, double tolerance) {
-  const Interval made(approach);
+double adapt(ContactFacet& facet, int end, const Enclosure& approach, double tolerance) {
   const double change =
-      std::max(std::abs(facet.lower[2 * end] - upper(made)), std::abs(facet.upper[2 * end] - lower(made)));
+      std::max(std::abs(facet.lower[2 * end] - upper(approach)), std::abs(facet.upper[2 * end] - lower(approach)));
   if (change > tolerance) return 0;
-  facet.lower[2 * end] = lower(made);
-  facet.upper[2 * end] = upper(made);
+  facet.lower[2 * end] = lower(approach);
+  facet.upper[2 * end] = upper(approach);
   return change;
 }
 
@@ -125,15 +124,17 @@ double make_room(Problem<2>& problem) {
       const auto& [a, b] = positions(mesh, mesh.boundary[facet.first].vertices);
       const double gap = given.function ? lower(gap_at_end(given.function, a, b, end)) : facet.lower[2 * end];
       const double size = first->size + second->size + std::abs(gap) + problem.length_scale;
+      const double tolerance = 8 * std::numeric_limits<double>::epsilon() * size;
+      // Whoever computes it again comes to another middle, within the radius.
+      Enclosure approach = first->along - second->along;
+      approach.radius *= 4;
       if (facet.law.two_sided) {
-        most = std::max(
-            most, adapt(facet, end, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size));
+        most = std::max(most, adapt(facet, end, approach, tolerance));
         continue;
       }
-      const double room =
-          with_room(gap, first->along - second->along, 8 * std::numeric_limits<double>::epsilon() * size);
+      const double room = with_room(gap, approach, tolerance);
       const double raised = upper(Interval(room) - Interval(gap));
-      given.at_least[end] = std::min(gap, upper(Interval(first->along - second->along)));
+      given.at_least[end] = std::min(gap, upper(approach));
       given.raised[end] = raised;
       if (raised == 0) continue;
       if (!given.function) {

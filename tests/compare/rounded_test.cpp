@@ -154,5 +154,27 @@ TEST(RoundedCoordinates, end_refinement_where_they_resolve_no_more) {
   EXPECT_LT(outcome.relative_error_bound, 0.02);
 }
 
+// A block is moved along the wall that it stands on, by what is no multiple of the wall's direction in floating point:
+// what is prescribed closes the gap by less than the rounding of products in extended precision.
+TEST(RoundedCoordinates, keep_room_for_motions_along_a_wall) {
+  const scene::test::Folder folder;
+  for (int i = 1; i <= 20; ++i) {
+    const Place place{.angle = 0.0731 * i, .digits = 15};
+    const Vector<2> along = place.turn() * Vector<2>(0.01, 0), down = place.turn() * Vector<2>(0, -0.1);
+    scene::Scene<2> scene;
+    scene.blocks = {{"block", {{{0, 1}, {0, 1}}}, {2, 2}}};
+    scene.bodies.emplace("block", scene::isotropic<2>(1, 0.3, scene::Plane::strain));
+    scene.contact = {{"block.bottom", "rigid", 0.0, ""}};
+    scene.boundary = {{"block.left", {ConditionKind::fixed, {0.0, 0.0}, ""}},
+                      {"block.top", {ConditionKind::traction, {0.0, 0.0}, ""}}};
+    scene = placed(scene, place, folder);
+    scene.contact[0].gap = 0.0;
+    scene.boundary.at("block.left").value = {along[0], along[1]};
+    scene.boundary.at("block.top").value = {down[0], down[1]};
+    const auto outcome = bounds::run(scene);
+    EXPECT_EQ(outcome.guarantee, "rounding-safe") << place.angle << ": " << outcome.reason;
+  }
+}
+
 }  // namespace
 }  // namespace bracket::tests

@@ -138,9 +138,9 @@ std::vector<FacetData<3>> with_agreement(const Mesh<3>& mesh, std::vector<FacetD
 
 namespace {
 
-/// What is prescribed along a direction, in more digits than the data have.
+/// What is prescribed along a direction.
 struct Along {
-  long double value = 0;
+  Enclosure value;
   double size = 0;  ///< of the whole
 };
 
@@ -148,8 +148,8 @@ struct Along {
 std::optional<Along> along(const FacetData<3>& data, int corner, const Vector<3>& d) {
   if (data.support == Support::fixed) {
     const Vector<3>& u = data.displacement[corner];
-    Along result{0, u.norm()};
-    for (int c = 0; c < 3; ++c) result.value += static_cast<long double>(u[c]) * d[c];
+    Along result{{}, u.norm()};
+    for (int c = 0; c < 3; ++c) result.value = result.value + Enclosure(u[c]) * Enclosure(d[c]);
     return result;
   }
   const double u = data.normal_displacement[corner];
@@ -177,14 +177,16 @@ std::optional<Along> along(const std::vector<FacetData<3>>& facets, const std::v
   if ((normals * c - d).norm() > 1e-12) return {};
   Along result;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    result.value += static_cast<long double>(c[static_cast<Eigen::Index>(i)]) * rows[i].value;
+    result.value = result.value + Enclosure(c[static_cast<Eigen::Index>(i)]) * Enclosure(rows[i].value);
     result.size += std::abs(c[static_cast<Eigen::Index>(i)] * rows[i].value);
   }
+  result.value.radius += std::numeric_limits<double>::epsilon() * result.size;  // of the c_i
   return result;
 }
 
 Along middle_of(const Along& one, const Along& other) {
-  return {(one.value + other.value) / 2, std::max(one.size, other.size)};
+  const Enclosure sum = one.value + other.value;
+  return {{sum.middle / 2, sum.radius / 2}, std::max(one.size, other.size)};
 }
 
 /// What is prescribed along the normal of a contact's first facet on both of its sides, as Bernstein coefficients.
@@ -246,7 +248,9 @@ double make_room(Problem<3>& problem) {
       const double gap = given.function ? lower(gap_at_corner(given.function, face, i)) : facet.lower[i];
       const double tolerance = 8 * std::numeric_limits<double>::epsilon() *
                                (first->size + second->size + std::abs(gap) + problem.length_scale);
-      const Interval approach(first->value - second->value);
+      // Whoever computes it again comes to another middle, within the radius.
+      Enclosure approach = first->value - second->value;
+      approach.radius *= 4;
       if (facet.law.two_sided) {  // no displacement could make good what rounding did
         const double change =
             std::max(std::abs(facet.lower[i] - upper(approach)), std::abs(facet.upper[i] - lower(approach)));
@@ -256,8 +260,9 @@ double make_room(Problem<3>& problem) {
         most = std::max(most, change);
         continue;
       }
-      if (approach.upper <= gap || approach.upper - gap > tolerance) continue;
-      const double room = upper(approach), raised = upper(Interval(room) - Interval(gap));
+      const double room = upper(approach);
+      if (room <= gap || room - gap > tolerance) continue;
+      const double raised = upper(Interval(room) - Interval(gap));
       if (given.function) {
         given.raised[i] = raised;
       } else {

@@ -67,7 +67,7 @@ TEST(DataInSpace, OfOtherTractionsAreProjectedAndTheDifferenceIsBounded) {
   for (const double moment : moments) EXPECT_LE(std::abs(moment), 1e-5);
   for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(f(face[i]) - linear.value[i]));
   EXPECT_GE(linear.error, largest - 4 * eps);  // what is found at points is rounded
-  EXPECT_LE(linear.error, 1.05 * largest);  // parts are quartered until it is
+  EXPECT_LE(linear.error, 1.05 * largest);     // parts are quartered until it is
   EXPECT_GE(linear.largest, std::abs(f(face[2])));
 }
 
