@@ -1,9 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "bounds/bounds.h"
+#include "bounds/results.h"
 
 namespace bracket {
 namespace {
@@ -12,21 +14,28 @@ namespace {
 struct Known {
   const char* scene;
   double least, most;
+  int levels = 6;
 };
-const Known known[] = {{"fichera", -43.5193410997, -43.1368075638},  // as a finer mesh has it
+const Known known[] = {{"bolted_joint", 5.40, 5.60, 2},              // as a finer mesh has it
+                       {"fichera", -43.5193410997, -43.1368075638},  // the same
+                       {"hertz", 1.58824245e-6, 1.58881162e-6, 10},  // the same
                        {"lift_off", -0.00156588569415 / 2, -0.00156588566432 / 2},
                        {"linear_pressure", -3.3125, -3.3125},
-                       {"patch", 50, 50}};
+                       {"patch", 50, 50},
+                       {"trough", -0.00251594041, -0.00251587952}};  // the same
+
+scene::Scene<3> from_file(const std::string& name, int levels) {
+  return scene::read_scene<3>(BRACKET_SCENES "/space/" + name + ".toml",
+                              {"refine.max_levels=" + std::to_string(levels)});
+}
 
 TEST(SceneFilesInSpace, every_level_contains_what_is_known) {
   std::set<std::string> there, tested;
   for (const auto& entry : std::filesystem::directory_iterator(BRACKET_SCENES "/space"))
     if (entry.path().extension() == ".toml") there.insert(entry.path().stem());
-  for (const auto& [name, least, most] : known) {
+  for (const auto& [name, least, most, levels] : known) {
     tested.insert(name);
-    const auto scene =
-        scene::read_scene<3>(std::string(BRACKET_SCENES "/space/") + name + ".toml", {"refine.max_levels=6"});
-    const auto outcome = bounds::run(scene);
+    const auto outcome = bounds::run(from_file(name, levels));
     EXPECT_EQ(outcome.guarantee, "rounding-safe") << name << ": " << outcome.reason;
     for (const bounds::Level& level : outcome.levels) {
       EXPECT_LE(level.bracket.lower, most) << name;
@@ -35,6 +44,32 @@ TEST(SceneFilesInSpace, every_level_contains_what_is_known) {
     }
   }
   EXPECT_EQ(there, tested);
+}
+
+double force(const bounds::Outcome<3>& outcome, int pair) {
+  return bounds::contact_result(outcome.problem, outcome.stress, pair).resultant.force.norm();
+}
+
+// Forces of stresses in equilibrium are what statics says, on any mesh.
+TEST(SceneFilesInSpace, contacts_carry_what_balance_demands) {
+  for (const int levels : {1, 4}) {
+    const auto trough = bounds::run(from_file("trough", levels));
+    EXPECT_NEAR(force(trough, 0), 0.05 * 1.5, 1e-12);
+    EXPECT_NEAR(force(trough, 1), 0.1 * std::sqrt(0.75) * 1.5 - 0.1 * (1.5 * 1.5 / 2 - 0.5 * 1.5), 1e-12);
+  }
+  const auto bolted = bounds::run(from_file("bolted_joint", 1));
+  const double joint = force(bolted, 0), head = force(bolted, 1), nut = force(bolted, 2);
+  EXPECT_NEAR(head, nut, 1e-9 * head);
+  EXPECT_NEAR(head, joint + 3.0 * 2 * 12 * 6, 1e-9 * head);
+}
+
+// A displacement of the octant is one of the half-space.
+TEST(SceneFilesInSpace, an_octant_takes_no_less_energy_than_hertz_half_space) {
+  const double modulus = 1 / (1 - 0.3 * 0.3), depth = 0.01;
+  const double hertz = 2 / 15.0 * modulus * std::pow(depth, 2.5);
+  const auto outcome = bounds::run(from_file("hertz", 14));
+  EXPECT_GE(outcome.lower, hertz);
+  EXPECT_LE(outcome.lower, 1.084 * hertz);
 }
 
 }  // namespace
