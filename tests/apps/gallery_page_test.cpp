@@ -21,7 +21,7 @@ class GalleryPage : public Command {
 };
 
 TEST_F(GalleryPage, IsWhatItsCommandWritesAndASecondRunChangesNothing) {
-  const std::vector<std::string> names = {"example_1", "linear_pressure", "patch", "wedge"};
+  const std::vector<std::string> names = {"example_1", "linear_pressure", "patch", "wedge", "space/patch"};
   std::string scenes;
   for (const std::string& name : names) scenes += " '" BRACKET_SCENES "/" + name + ".toml'";
   for (const char* folder : {"once", "twice"}) {
@@ -39,9 +39,9 @@ TEST_F(GalleryPage, IsWhatItsCommandWritesAndASecondRunChangesNothing) {
 TEST_F(GalleryPage, HasEverySceneAndItsPicture) {
   shell("cp '" BRACKET_DOCS "/gallery.md' committed.md");
   const std::string page = read("committed.md");
-  for (const auto& entry : fs::directory_iterator(BRACKET_SCENES)) {
+  for (const auto& entry : fs::recursive_directory_iterator(BRACKET_SCENES)) {
     if (entry.path().extension() != ".toml") continue;
-    const std::string name = entry.path().stem().string();
+    const std::string name = fs::relative(entry.path(), BRACKET_SCENES).replace_extension().string();
     EXPECT_NE(section(page, name).find("](images/gallery/" + name + ".png)"), std::string::npos) << name;
     EXPECT_TRUE(fs::exists(BRACKET_DOCS "/images/gallery/" + name + ".png")) << name;
   }
