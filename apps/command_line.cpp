@@ -89,7 +89,7 @@ void add_mesh(CLI::App& app, MeshOptions& options) {
   command->add_option("--refine", options.refine, "Uniform refinements (default: 0)")
       ->type_name("N")
       ->check(CLI::Range(0, 30));
-  command->add_option("--degree", options.degree, "Of the triangles (default: the scene's)")
+  command->add_option("--degree", options.degree, "Of the cells (default: the scene's)")
       ->type_name("1|2")
       ->check(CLI::Range(1, 2));
   command->add_flag("--force", options.force, "Write over a file that is there");

@@ -219,7 +219,7 @@ Checks admissibility(const scene::Problem<dim>& problem, const scene::Displaceme
 std::array<Check, 6> Checks::all() const {
   return {{{"penetration", penetration, "displacements keep supports and contact"},
            {"equilibrium", equilibrium, "stresses balance the body force in every cell"},
-           {"interface jump", interface_jump, "tractions are equal on both sides of every edge"},
+           {"interface jump", interface_jump, "tractions are equal on both sides where cells meet"},
            {"boundary traction", boundary_traction, "tractions are the given ones"},
            {"tension", tension, "the contact does not pull"},
            {"gap identity", gap_identity, "the cells' errors add up to the width"}}};

@@ -101,7 +101,10 @@ void read_nodes(Lines& in, RawMesh& raw, Places& places) {
 int corners_of(const Lines& in, Tag kind) {
   static const std::set<Tag> line = {11, 21, 22, 23, 24}, triangle = {41, 42, 51, 52, 61, 62, 72, 74, 91, 92},
                              quadrilateral = {44, 45, 54, 55, 64, 65, 71, 75, 94, 95};
-  if (kind >= 101 && kind <= 118) in.refuse("there are solid elements: the mesh is 3D, only plane meshes are read");
+  if (kind >= 101 && kind <= 118)
+    in.refuse(
+        "there are solid elements: the mesh is 3D, and universal files are read in the plane only; of bodies in space "
+        "write Gmsh's .msh or Abaqus' .inp");
   if (kind >= 81 && kind <= 86) in.refuse("there are axisymmetric elements; only plane ones are read");
   return line.contains(kind) ? 2 : triangle.contains(kind) ? 3 : quadrilateral.contains(kind) ? 4 : 0;
 }

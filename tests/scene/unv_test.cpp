@@ -36,7 +36,7 @@ TEST(Unv, FaultsAreToldWithTheirPlace) {
   const std::map<std::string, std::pair<std::string, std::vector<std::string>>> cases = {
       {"empty", {"", {"no triangles"}}},
       {"something else", {"solid x\n", {":1:", "not a universal file"}}},
-      {"3D", {changed("         2        41", "         2       111"), {"3D"}}},
+      {"3D", {changed("         2        41", "         2       111"), {"3D", ".msh", ".inp"}}},
       {"axisymmetric", {changed("         2        41", "         2        81"), {"axisymmetric"}}},
       {"node missing",
        {changed("         1         3         4", "         1         3        44"), {"element 3", "node 44"}}},

@@ -1,5 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 #include "scene/problem/gap.h"
 #include "scene/problem/normals.h"
@@ -122,6 +126,25 @@ TEST(NormalsInSpace, AreSharedByFacesOfOnePlane) {
   for (std::size_t f = 0; f < normals.size(); ++f)
     if (mesh.parts[mesh.boundary[f].part] == "upper.top") of_top.insert({normals[f][0], normals[f][1], normals[f][2]});
   EXPECT_EQ(of_top.size(), 18u);
+}
+
+// A wall along y = c x², in strips: the faces turn by the differences of the strips' slopes, most at the flattest.
+TEST(NormalsInSpace, TellTheLargestAngleOfCurvedFaces) {
+  Scene<3> scene = unit_boxes(4);
+  scene.boundary["lower.bottom"] = {ConditionKind::sliding, {0.0}};
+  const auto told = [&](double c) {
+    Mesh<3> mesh = build_mesh(scene);
+    for (Vector<3>& x : mesh.vertices)
+      if (x[1] == 0) x[1] = c * x[0] * x[0];
+    for (const std::string& note : fix_data(scene, mesh).mesh.notes)
+      if (note.find("turns at its edges") != std::string::npos) return note;
+    return std::string();
+  };
+  EXPECT_EQ(told(0), "");
+  const double angle = (std::atan(0.2 * 0.75) - std::atan(0.2 * 0.25)) * 180 / std::numbers::pi;
+  EXPECT_NE(told(0.2).find("'lower.bottom'"), std::string::npos);
+  EXPECT_NE(told(0.2).find(fmt::format("by up to {:.3g} degrees at (0.25, 0.0125, ", angle)), std::string::npos)
+      << told(0.2);
 }
 
 TEST(RoomInSpace, IsMadeWhereSupportsCloseAGapByRounding) {
