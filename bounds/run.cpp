@@ -304,7 +304,7 @@ template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observ
 
 template <int dim>
 Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, const Observer<dim>& observer) {
-  scene::check_settings(scene.refine, scene.solve);
+  scene::check_settings<dim>(scene.refine, scene.solve);
   if (has_coulomb(problem) && scene.refine.strategy != scene::Strategy::none)
     throw scene::Error(
         Status::input,

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -70,6 +71,26 @@ TEST(SceneFilesInSpace, an_octant_takes_no_less_energy_than_hertz_half_space) {
   const auto outcome = bounds::run(from_file("hertz", 14));
   EXPECT_GE(outcome.lower, hertz);
   EXPECT_LE(outcome.lower, 1.084 * hertz);
+}
+
+// What closure makes besides what is marked, and what becomes of shapes, where errors say what is marked.
+TEST(SceneFilesInSpace, refinement_makes_few_cells_and_keeps_shapes) {
+  for (const char* name : {"bolted_joint", "fichera", "hertz", "lift_off", "trough"}) {
+    const scene::Scene<3> scene = from_file(name, 1);
+    scene::Problem<3> problem = scene::fix_data(scene, scene::build_mesh(scene));
+    const double first = scene::quality(problem.mesh).smallest_shape;
+    double made = 0, marks = 0;
+    while (problem.mesh.cells.size() < 1000 || marks == 0) {
+      const auto outcome = bounds::run(scene, problem);
+      const auto marked = bounds::mark(outcome.problem, outcome.indicator, scene.refine.bulk);
+      marks += static_cast<double>(std::ranges::count(marked, 1));
+      made -= static_cast<double>(problem.mesh.cells.size());
+      problem = scene::refine(outcome.problem, marked).problem;
+      made += static_cast<double>(problem.mesh.cells.size());
+    }
+    EXPECT_LE(made, 6 * marks) << name;
+    EXPECT_GE(scene::quality(problem.mesh).smallest_shape, 0.5 * first) << name;
+  }
 }
 
 }  // namespace
