@@ -20,7 +20,6 @@ namespace bracket::scene {
 namespace {
 
 using Table = Simplex<3>;
-constexpr std::array<std::array<int, 2>, 6> edges = Table::edges;
 
 std::vector<int> glued_vertices(const Problem<3>& problem) {
   const Mesh<3>& mesh = problem.mesh;
@@ -71,7 +70,7 @@ class Forest {
   void bisect(int cell) {
     const Node parent = nodes_[cell];
     const int edge = refinement_edge(parent.marks.facet);
-    const auto& [i, j] = edges[edge];
+    const auto& [i, j] = Table::edges[edge];
     const int middle = middle_of(parent.vertices[i], parent.vertices[j]);
     nodes_[cell].boundary.clear();
     for (const auto& [kept, moved] : {std::pair(i, j), std::pair(j, i)}) {
@@ -120,7 +119,7 @@ class Forest {
   }
 
   bool is_cut(const Node& node) const {
-    return std::ranges::any_of(edges, [&](const auto& edge) {
+    return std::ranges::any_of(Table::edges, [&](const auto& edge) {
       return cut_.contains(key(glued_[node.vertices[edge[0]]], glued_[node.vertices[edge[1]]]));
     });
   }

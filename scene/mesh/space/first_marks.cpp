@@ -16,9 +16,6 @@ namespace bracket::scene {
 namespace {
 
 using Table = Simplex<3>;
-constexpr std::array<std::array<int, 2>, 6> edges = Table::edges;
-
-bool has(int edge, int vertex) { return edges[edge][0] == vertex || edges[edge][1] == vertex; }
 
 /// An edge of the mesh as it is glued, and the cells at it.
 struct GluedEdge {
@@ -34,7 +31,7 @@ std::vector<std::array<int, 6>> order_of_edges(const Mesh<3>& mesh, const std::v
   std::map<std::array<int, 2>, int> known;
   for (std::size_t c = 0; c < glued.size(); ++c)
     for (int e = 0; e < 6; ++e) {
-      const auto [a, b] = std::minmax(glued[c][edges[e][0]], glued[c][edges[e][1]]);
+      const auto [a, b] = std::minmax(glued[c][Table::edges[e][0]], glued[c][Table::edges[e][1]]);
       const auto [at, fresh] = known.try_emplace({a, b}, static_cast<int>(all.size()));
       if (fresh) all.push_back({edge_rank(mesh, mesh.cell_edges[c][e]), {}});
       all[at->second].cells.push_back(static_cast<int>(c));
@@ -63,7 +60,7 @@ FacetMarks marks_by(const std::array<int, 6>& order) {
   for (int k = 0; k < 4; ++k) {
     int first = -1;
     for (int edge = 0; edge < 6; ++edge)
-      if (!has(edge, k) && (first < 0 || order[first] < order[edge])) first = edge;
+      if (!has_end(edge, k) && (first < 0 || order[first] < order[edge])) first = edge;
     marks[k] = static_cast<char>(first);
   }
   return marks;
@@ -145,7 +142,7 @@ class Search {
     std::array<int, 2> ends;
     for (int i = 0; i < 2; ++i) {
       const auto& vertices = glued_[other];
-      const auto at = std::ranges::find(vertices, glued_[cell][edges[edge][i]]);
+      const auto at = std::ranges::find(vertices, glued_[cell][Table::edges[edge][i]]);
       assert(at != vertices.end());
       ends[i] = static_cast<int>(at - vertices.begin());
     }

@@ -1,21 +1,20 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/mesh/space/marks.h"
 
+#include "scene/mesh/space/tetrahedron.h"
+
 namespace bracket::scene {
 
 namespace {
 
 using Table = Simplex<3>;
-constexpr std::array<std::array<int, 2>, 6> edges = Table::edges;
-
-bool has(int edge, int vertex) { return edges[edge][0] == vertex || edges[edge][1] == vertex; }
 
 }  // namespace
 
 int refinement_edge(const FacetMarks& marks) {
   for (int edge = 0; edge < 6; ++edge) {
     int times = 0;
-    for (int k = 0; k < 4; ++k) times += marks[k] == edge && !has(edge, k);
+    for (int k = 0; k < 4; ++k) times += marks[k] == edge && !has_end(edge, k);
     if (times == 2) return edge;
   }
   return -1;
@@ -30,7 +29,7 @@ Mesh<3>::Marks marks_of_child(const Mesh<3>::Marks& parent, int kept, int moved)
   const int old = parent.facet[moved], across = parent.facet[kept];
   int shared = -1;  // the end that both old marks have besides those of the refinement edge: they lie in one plane
   for (const int k : others)
-    if (has(old, k) && has(old, kept) && has(across, k) && has(across, moved)) shared = k;
+    if (has_end(old, k) && has_end(old, kept) && has_end(across, k) && has_end(across, moved)) shared = k;
   for (int n = 0; n < 2; ++n) child.facet[others[n]] = static_cast<char>(Table::edge_between(kept, others[1 - n]));
   const bool flagged = shared >= 0 && parent.flagged;
   child.facet[kept] =

@@ -10,6 +10,11 @@
 
 namespace bracket::scene {
 
+/// Whether an edge of a tetrahedron ends at a vertex of it.
+constexpr bool has_end(int edge, int vertex) {
+  return Simplex<3>::edges[edge][0] == vertex || Simplex<3>::edges[edge][1] == vertex;
+}
+
 /// The angles of a tetrahedron between the facets at each of its edges, in degrees, as Simplex<3>::edges has them.
 inline std::array<double, 6> dihedral_angles(const std::array<Vector<3>, 4>& corners) {
   std::array<Vector<3>, 4> normal;
