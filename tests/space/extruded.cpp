@@ -7,13 +7,11 @@ namespace bracket::tests::space {
 
 namespace {
 
-using scene::Function;
-
 /// The same at every z.
-Function<3> of_x_and_y(const Function<2>& f) {
+scene::Function<3> of_x_and_y(const scene::Function<2>& f) {
   const auto at_points = [f](const scene::Vector<3>& x) { return f({x[0], x[1]}); };
   if (!f.is_enclosed()) return at_points;
-  return {at_points, [f](const Function<3>::Range& x) { return f.over({x[0], x[1]}); }};
+  return {at_points, [f](const scene::Function<3>::Range& x) { return f.over({x[0], x[1]}); }};
 }
 
 scene::Condition<3> condition(const scene::Condition<2>& plane) {

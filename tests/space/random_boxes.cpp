@@ -12,7 +12,6 @@ namespace bracket::tests::space {
 namespace {
 
 using scene::ConditionKind;
-using scene::Function;
 using scene::test::uniform;
 
 const std::array<const char*, 2> names = {"lower", "upper"};
@@ -24,7 +23,7 @@ using Affine = std::array<double, 4>;  ///< a + b x + c y + d z
 template <class Place> auto value(const Affine& c, const Place& x) {
   return x[0] * c[1] + x[1] * c[2] + x[2] * c[3] + c[0];
 }
-Function<3> function(const Affine& c) {
+scene::Function<3> function(const Affine& c) {
   return scene::enclosed<3>([c](const auto& x) { return value(c, x); });
 }
 
@@ -35,11 +34,11 @@ Affine turned(double constant, const scene::Vector<3>& slope, const Eigen::Matri
 }
 
 /// The same of vectors, which are turned, too.
-std::vector<Function<3>> turned_vector(const scene::Vector<3>& constant, const Eigen::Matrix3d& slope,
-                                       const Eigen::Matrix3d& rotation) {
+std::vector<scene::Function<3>> turned_vector(const scene::Vector<3>& constant, const Eigen::Matrix3d& slope,
+                                              const Eigen::Matrix3d& rotation) {
   const scene::Vector<3> there = rotation * constant;
   const Eigen::Matrix3d along = rotation * slope;
-  std::vector<Function<3>> result;
+  std::vector<scene::Function<3>> result;
   for (int i = 0; i < 3; ++i) result.push_back(function(turned(there[i], along.row(i).transpose(), rotation)));
   return result;
 }
@@ -87,7 +86,7 @@ scene::Scene<3> RandomBoxes::on(const scene::Mesh<3>& mesh) const {
   }
   for (const auto& [part, kind] : kinds) {
     const auto& of = load[part.starts_with("upper")];
-    std::vector<Function<3>> given;
+    std::vector<scene::Function<3>> given;
     switch (kind) {
       case ConditionKind::fixed: given = turned_vector(scene::Vector<3>::Zero(), strain, rotation); break;
       case ConditionKind::sliding:

@@ -69,7 +69,9 @@ TEST(GapInSpace, OfOtherFunctionsIsEnclosedToThirdOrder) {
       const FaceGapBounds bounds = enclosed_gap({gap}, tilted, part);
       const double width = expect_between(bounds, gap, tilted, part);
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(bounds.lower[i], gap(place(tilted, part[i])), 1e-14);
-      if (level > 6) EXPECT_NEAR(std::log2(before / width), 3, 0.1) << formula << " level " << level;
+      if (level > 6) {
+        EXPECT_NEAR(std::log2(before / width), 3, 0.1) << formula << " level " << level;
+      }
       before = width;
       for (int i = 0; i < 3; ++i)
         for (int c = 0; c < 2; ++c) part[i][c] = i == 1 ? part[i][c] : 0.5 * (part[i][c] + part[1][c]);

@@ -44,7 +44,9 @@ TEST(MarksInSpace, MakeFewShapesAndHalveEveryEdgeInThreeSteps) {
         EXPECT_EQ(problem.mesh.cells.size(), 8u);
         EXPECT_EQ(problem.mesh.vertices.size(), 10u);
       }
-      if (goal % 3 == 0) EXPECT_EQ(problem.mesh.cells.size(), std::size_t{1} << goal);
+      if (goal % 3 == 0) {
+        EXPECT_EQ(problem.mesh.cells.size(), std::size_t{1} << goal);
+      }
     }
     EXPECT_NEAR(least, least_shape_below(marks, generic), 1e-12);  // all shapes were there
   }

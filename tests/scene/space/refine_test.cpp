@@ -85,8 +85,7 @@ struct Closure {
 };
 
 /// Refines `levels` times, marking what `choose` says of a cell's centre and the level; expects what is known of AMP.
-template <class Choose>
-Closure refined_again(Problem<3> problem, int levels, const Choose& choose) {
+template <class Choose> Closure refined_again(Problem<3> problem, int levels, const Choose& choose) {
   const Mesh<3> first = problem.mesh;
   Closure closure;
   std::vector<double> known;  // of each first cell, the least shape below
@@ -140,7 +139,8 @@ TEST(RefineInSpace, KeepsShapesContactAndData) {
     const Problem<3> problem = fix_data(scene, mesh);
     // How many cells are made has no bound but by generations (docs/theory.md §12.5): 6.8 of a mark here, where marks
     // are single cells, of which 3.9 have an edge that is cut anyhow.
-    const Closure scattered = refined_again(problem, 9, [&](const Vector<3>&, int) { return uniform(random, 0, 1) < 0.1; });
+    const Closure scattered =
+        refined_again(problem, 9, [&](const Vector<3>&, int) { return uniform(random, 0, 1) < 0.1; });
     EXPECT_GE(scattered.least_shape, 0.5) << round;
     const Vector<3> near = rotation * Vector<3>(0.7, 1, 0.3) + by;
     const Closure towards = refined_again(problem, 9, [&](const Vector<3>& centre, int level) {
