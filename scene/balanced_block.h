@@ -96,52 +96,81 @@ BlockGeometry<dim, Number> block_geometry(const std::array<VectorOf<dim, Number>
   return result;
 }
 
+/// The loads at vertex j: [a] of the facet opposite to Simplex::facets[j][a].
+template <int dim, class Number> using CornerLoads = std::array<VectorOf<dim, Number>, dim>;
+
+/// \return [a] at vertex j, the stress of the part at that facet
+template <int dim, class Number>
+std::array<TensorOf<dim, Number>, dim> corner_stress(const BlockGeometry<dim, Number>& cell, int j,
+                                                     const CornerLoads<dim, Number>& load) {
+  const auto& G = cell.gradient;
+  const auto& others = Simplex<dim>::facets[j];
+  const Number half = Number(1) / Number(2);
+  // T_a = −f_a / (dim |K|)
+  const Number by_load = Number(dim == 2 ? -1 : -2) / cell.scaled_volume;
+  std::array<std::array<Number, dim>, dim> s;  // s[a][b] = G_b · T_a(V_j), T_a of the facets at V_j
+  std::array<VectorOf<dim, Number>, dim> e;
+  for (int a = 0; a < dim; ++a) {
+    for (int b = 0; b < dim; ++b) s[a][b] = by_load * block::dot<dim>(G[others[b]], load[a]);
+    e[a] = block::minus<dim>(cell.x[others[a]], cell.x[j]);
+  }
+  std::array<TensorOf<dim, Number>, dim> stress;
+  for (int a = 0; a < dim; ++a) {
+    TensorOf<dim, Number>& t = stress[a];
+    t.fill(Number(0));
+    block::add<dim>(t, half * s[a][a], e[a], e[a]);
+    for (int m = 0; m < dim; ++m) {
+      if (m == a) continue;
+      block::add<dim>(t, s[a][m], e[a], e[m]);
+      block::add<dim>(t, half * (s[m][m] + s[a][m] - s[m][a]), e[m], e[m]);
+    }
+    if constexpr (dim == 3) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      block::add<dim>(t, half * (s[a][b] + s[c][b] + s[a][c] + s[b][c] - s[b][a] - s[c][a]), e[b], e[c]);
+    }
+  }
+  return stress;
+}
+
+/// What the stress at vertex j of the part at facet i has in (d + 1) w_i.
+template <int dim, class Number>
+VectorOf<dim, Number> share_in_centre(const BlockGeometry<dim, Number>& cell, int i, int j,
+                                      const TensorOf<dim, Number>& stress) {
+  return block::times<dim>(stress, block::minus<dim>(cell.gradient[i], cell.gradient[j]));
+}
+/// λ(c), symmetrised. \param w (d + 1) w_i
+template <int dim, class Number>
+TensorOf<dim, Number> centre_stress(const BlockGeometry<dim, Number>& cell,
+                                    const std::array<VectorOf<dim, Number>, dim + 1>& w) {
+  TensorOf<dim, Number> centre;
+  centre.fill(Number(0));
+  const Number share = Number(1) / Number(2 * (dim + 1));
+  for (int i = 1; i <= dim; ++i) block::add<dim>(centre, share, w[i], block::minus<dim>(cell.x[i], cell.x[0]));
+  return centre;
+}
+
 /// \param force F, per volume
 /// \return the stress; where loads and F are not in balance λ(c) is the symmetric part of the closed form's
 template <int dim, class Number>
 BalancedStress<dim, Number> balanced_stress(const BlockGeometry<dim, Number>& cell, const FacetLoads<dim, Number>& load,
                                             const VectorOf<dim, Number>& force) {
-  using Tensor = TensorOf<dim, Number>;
-  const auto& G = cell.gradient;
-  const Number half = Number(1) / Number(2);
   BalancedStress<dim, Number> stress;
   std::array<VectorOf<dim, Number>, dim + 1> w;
   for (auto& of_part : w)
     for (int c = 0; c < dim; ++c) of_part[c] = -force[c];
-  // T_a = −f_a / (dim |K|)
-  const Number by_load = Number(dim == 2 ? -1 : -2) / cell.scaled_volume;
   for (int j = 0; j <= dim; ++j) {
     const auto& others = Simplex<dim>::facets[j];
-    std::array<std::array<Number, dim>, dim> s;  // s[a][b] = G_b · T_a(V_j), T_a of the facets at V_j
-    std::array<VectorOf<dim, Number>, dim> e;
+    CornerLoads<dim, Number> at_corner;
+    for (int a = 0; a < dim; ++a) at_corner[a] = load[others[a]][block::place_on_facet<dim>(others[a], j)];
+    const auto parts = corner_stress<dim, Number>(cell, j, at_corner);
     for (int a = 0; a < dim; ++a) {
-      const auto& f = load[others[a]][block::place_on_facet<dim>(others[a], j)];
-      for (int b = 0; b < dim; ++b) s[a][b] = by_load * block::dot<dim>(G[others[b]], f);
-      e[a] = block::minus<dim>(cell.x[others[a]], cell.x[j]);
-    }
-    for (int a = 0; a < dim; ++a) {  // the part at facet others[a]
-      Tensor t;
-      t.fill(Number(0));
-      block::add<dim>(t, half * s[a][a], e[a], e[a]);
-      for (int m = 0; m < dim; ++m) {
-        if (m == a) continue;
-        block::add<dim>(t, s[a][m], e[a], e[m]);
-        block::add<dim>(t, half * (s[m][m] + s[a][m] - s[m][a]), e[m], e[m]);
-      }
-      if constexpr (dim == 3) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        block::add<dim>(t, half * (s[a][b] + s[c][b] + s[a][c] + s[b][c] - s[b][a] - s[c][a]), e[b], e[c]);
-      }
       const int i = others[a];
-      stress[i][block::place_on_facet<dim>(i, j)] = t;
-      const auto part = block::times<dim>(t, block::minus<dim>(G[i], G[j]));
+      stress[i][block::place_on_facet<dim>(i, j)] = parts[a];
+      const auto part = share_in_centre<dim, Number>(cell, i, j, parts[a]);
       for (int k = 0; k < dim; ++k) w[i][k] += part[k];
     }
   }
-  Tensor centre;
-  centre.fill(Number(0));
-  const Number share = Number(1) / Number(2 * (dim + 1));
-  for (int i = 1; i <= dim; ++i) block::add<dim>(centre, share, w[i], block::minus<dim>(cell.x[i], cell.x[0]));
+  const TensorOf<dim, Number> centre = centre_stress<dim, Number>(cell, w);
   for (auto& part : stress) part[dim] = centre;
   return stress;
 }

@@ -1,9 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <vector>
+
+#include "dual/local/small_blocks.h"
 
 namespace bracket::dual {
 
@@ -49,7 +50,6 @@ template <class Block> class BlockCholesky {
       for (const int j : below_[step]) place_[at(j, sequence_[step])] = blocks++;
     }
     block_.assign(blocks, Block::Zero());
-    factor_.resize(size_);
   }
   int last() const { return sequence_.back(); }
   /// Adds to the entry in row i and column j, and its transpose to that in row j and column i.
@@ -65,19 +65,17 @@ template <class Block> class BlockCholesky {
   bool factorise() {
     for (int step = 0; step < size_; ++step) {
       const int p = sequence_[step];
-      factor_[step].compute(diagonal(p));
-      if (factor_[step].info() != Eigen::Success) return false;
+      if (!dual::factorise(diagonal(p))) return false;
       const std::vector<int>& below = below_[step];
-      for (const int i : below)
-        factor_[step].matrixU().template solveInPlace<Eigen::OnTheRight>(block_[place_[at(i, p)]]);
+      for (const int i : below) divide(block_[place_[at(i, p)]], diagonal(p));
       for (std::size_t k = 0; k < below.size(); ++k)
         for (std::size_t l = 0; l <= k; ++l) {
           const Block& left = block_[place_[at(below[k], p)]];
           const Block& right = block_[place_[at(below[l], p)]];
           if (const int to = place_[at(below[k], below[l])]; to >= 0)
-            block_[to].noalias() -= left * right.transpose();
+            subtract_product(block_[to], left, right);
           else
-            block_[place_[at(below[l], below[k])]].noalias() -= right * left.transpose();
+            subtract_product(block_[place_[at(below[l], below[k])]], right, left);
         }
     }
     return true;
@@ -85,14 +83,14 @@ template <class Block> class BlockCholesky {
   /// \pre factorise() returned true
   void solve(std::vector<Vector>& b) const {
     for (int step = 0; step < size_; ++step) {
-      Vector& own = b[sequence_[step]];
-      factor_[step].matrixL().solveInPlace(own);
-      for (const int i : below_[step]) b[i].noalias() -= block_[place_[at(i, sequence_[step])]] * own;
+      const int p = sequence_[step];
+      solve_lower(block_[place_[at(p, p)]], b[p]);
+      for (const int i : below_[step]) b[i] -= times(block_[place_[at(i, p)]], b[p]);
     }
     for (int step = size_; step-- > 0;) {
-      Vector& own = b[sequence_[step]];
-      for (const int i : below_[step]) own.noalias() -= block_[place_[at(i, sequence_[step])]].transpose() * b[i];
-      factor_[step].matrixU().solveInPlace(own);
+      const int p = sequence_[step];
+      for (const int i : below_[step]) b[p] -= transposed_times(block_[place_[at(i, p)]], b[i]);
+      solve_upper(block_[place_[at(p, p)]], b[p]);
     }
   }
 
@@ -104,7 +102,6 @@ template <class Block> class BlockCholesky {
   std::vector<int> sequence_;
   std::vector<int> place_;  ///< of each pair in `block_`, one of the two orders; −1: none
   std::vector<Block> block_;
-  std::vector<Eigen::LLT<Block>> factor_;  ///< of the diagonal, step by step
 };
 
 }  // namespace bracket::dual

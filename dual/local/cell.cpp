@@ -1,31 +1,77 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dual/local/cell.h"
 
+#include <limits>
+#include <optional>
+
 namespace bracket::dual {
 
 namespace {
 
-/// All coefficients of a block stress, weighted such that the squares of U times them add up to twice the energy
-/// [docs/theory.md §12], U the root of the compliance: of each part those at the facet's vertices and the sum of all,
-/// and once for all parts that at the centroid.
-template <int dim> inline constexpr int n_energy_rows = ((dim + 1) * (dim + 1) + 1) * scene::n_voigt<dim>;
-template <int dim>
-Eigen::Matrix<double, n_energy_rows<dim>, 1> energy_rows(const scene::BalancedStress<dim, double>& stress) {
-  constexpr int n = scene::n_voigt<dim>;
-  using Tensor = Eigen::Map<const scene::Voigt<dim>>;
-  Eigen::Matrix<double, n_energy_rows<dim>, 1> rows;
-  int row = 0;
-  for (const auto& part : stress) {
-    scene::Voigt<dim> sum = Tensor(part[dim].data());
-    for (int k = 0; k < dim; ++k, row += n) {
-      rows.template segment<n>(row) = Tensor(part[k].data());
-      sum += Tensor(part[k].data());
+template <int dim> inline constexpr int n_motions = scene::Simplex<dim>::n_rigid_motions;
+
+/// −H⁻¹, facet by facet; nothing: H is not definite in floating point.
+template <int dim> std::optional<CellForm<dim>> negative_inverse(CellForm<dim> form) {
+  using Block = FacetBlock<dim>;
+  for (int p = 0; p <= dim; ++p) {
+    Block pivot = form.at(p, p);
+    if (!factorise(pivot)) return {};
+    Block root = Block::Identity();  // L⁻ᵀ
+    divide(root, pivot);
+    std::array<Block, dim + 1> column, solved;
+    form.at(p, p).setZero();
+    subtract_product(form.at(p, p), root, root);
+    for (int i = 0; i <= dim; ++i) {
+      if (i == p) continue;
+      column[i] = form.rows_of(i, p);
+      solved[i].setZero();
+      subtract_product(solved[i], column[i], form.at(p, p));
     }
-    rows.template segment<n>(row) = sum;
-    row += n;
+    for (int i = 0; i <= dim; ++i)
+      for (int k = 0; k <= i && i != p; ++k)
+        if (k != p) subtract_product(form.at(i, k), solved[i], column[k]);
+    for (int i = 0; i <= dim; ++i) {
+      if (i > p) form.at(i, p) = solved[i];
+      if (i < p) form.at(p, i) = solved[i].transpose();
+    }
   }
-  rows.template segment<n>(row) = std::sqrt(dim + 1.0) * Tensor(stress[0][dim].data());
-  return rows;
+  return form;
+}
+
+/// k = H⁻¹ − H⁻¹ Rᵀ (R H⁻¹ Rᵀ)⁻¹ R H⁻¹, R the resultants of the loads.
+template <int dim> CellForm<dim> stiffness_of(const scene::Mesh<dim>& mesh, int cell, const CellForm<dim>& energy) {
+  constexpr int one = n_facet_loads<dim>, m = n_motions<dim>, n = n_cell_loads<dim>;
+  CellForm<dim> result;
+  const std::optional<CellForm<dim>> negative = negative_inverse<dim>(energy);
+  if (!negative) {
+    for (auto& block : result.block) block.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return result;
+  }
+  const auto& vertices = mesh.cells[cell];
+  Eigen::Matrix<double, m, n> balance;
+  for (int i = 0; i <= dim; ++i) {
+    std::array<scene::Vector<dim>, dim> x;
+    const auto corners = sorted_corners<dim>(vertices, i);
+    for (int k = 0; k < dim; ++k) x[k] = mesh.vertices[vertices[corners[k]]] - mesh.vertices[vertices[0]];
+    balance.template middleCols<one>(one * i) = resultants<dim>(x);
+  }
+  Eigen::Matrix<double, n, m> lifted = Eigen::Matrix<double, n, m>::Zero();  // H⁻¹ Rᵀ, then by the root of R H⁻¹ Rᵀ
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k <= dim; ++k)
+      lifted.template middleRows<one>(one * i) -=
+          negative->rows_of(i, k).lazyProduct(balance.template middleCols<one>(one * k).transpose());
+  Eigen::Matrix<double, m, m> root = balance.lazyProduct(lifted);
+  if (!factorise(root)) root.setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (int j = 0; j < m; ++j) {
+    for (int k = 0; k < j; ++k) lifted.col(j) -= root(j, k) * lifted.col(k);
+    lifted.col(j) /= root(j, j);
+  }
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k <= i; ++k) {
+      result.at(i, k) = -negative->at(i, k);
+      subtract_product(result.at(i, k), &lifted(one * i, 0), &lifted(one * k, 0), m, n);
+    }
+  return result;
 }
 
 }  // namespace
@@ -46,27 +92,77 @@ scene::BalancedStress<dim, double> stress_of(const std::array<int, dim + 1>& ver
   return scene::balanced_stress<dim, double>(geometry, f, F);
 }
 
+/// With U the root of the compliance, twice the energy are the squares of U t, t the stress of each part at each
+/// vertex, of U times the sum of these and of that at the centroid, and once for all parts of that at the centroid
+/// [docs/theory.md §12.1]. A load acts on the parts at its own vertex, and on the centroid.
 template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell) {
-  constexpr int n = n_cell_loads<dim>, m = scene::n_voigt<dim>, rows = n_energy_rows<dim>;
+  constexpr int n = n_cell_loads<dim>, one = n_facet_loads<dim>, m = scene::n_voigt<dim>, rows = (dim + 2) * m;
+  using Tensor = scene::Voigt<dim>;
   const auto& vertices = problem.mesh.cells[cell];
   const auto geometry = geometry_of(problem.mesh, cell);
-  Eigen::Matrix<double, rows, n + dim> of_unit;
-  for (int i = 0; i < n; ++i)
-    of_unit.col(i) =
-        energy_rows<dim>(stress_of<dim>(vertices, geometry, CellVector<dim>::Unit(i), scene::Vector<dim>::Zero()));
-  for (int c = 0; c < dim; ++c)
-    of_unit.col(n + c) =
-        energy_rows<dim>(stress_of<dim>(vertices, geometry, CellVector<dim>::Zero(), scene::Vector<dim>::Unit(c)));
   const double volume = geometry.scaled_volume / (dim == 2 ? 2 : 6);
-  const Eigen::LLT<scene::Elasticity<dim>> root(volume / ((dim + 1) * (dim + 1) * (dim + 2)) *
-                                                body_of(problem, cell).material.compliance());
-  const scene::Elasticity<dim> upper = root.matrixU();
-  for (int row = 0; row < rows; row += m)
-    of_unit.template middleRows<m>(row) =
-        (upper.template triangularView<Eigen::Upper>() * of_unit.template middleRows<m>(row)).eval();
+  const Eigen::LLT<scene::Elasticity<dim>> llt(volume / ((dim + 1) * (dim + 1) * (dim + 2)) *
+                                               body_of(problem, cell).material.compliance());
+  const scene::Elasticity<dim> root = llt.matrixU();
+  const auto by_root = [&](const scene::TensorOf<dim, double>& tensor) {
+    return Tensor(root.lazyProduct(Eigen::Map<const Tensor>(tensor.data())));
+  };
+
+  // Of unit loads: of the parts, [a] at facet Simplex::facets[j][a], at the load's vertex j.
+  std::array<std::array<Tensor, dim>, n> at_vertex;
+  std::array<int, n> vertex_of;
+  // Of unit loads and body forces: of the parts, then at the centroid.
+  Eigen::Matrix<double, n + dim, rows> sums;
+  const auto set_centre = [&](int q, const std::array<scene::VectorOf<dim, double>, dim + 1>& w) {
+    const Tensor centre = by_root(scene::centre_stress<dim, double>(geometry, w));
+    for (int part = 0; part <= dim; ++part) sums.row(q).template segment<m>(m * part) = centre;
+    sums.row(q).template segment<m>(m * (dim + 1)) = std::sqrt(dim + 1.0) * centre;
+  };
+  for (int i = 0; i <= dim; ++i) {
+    const auto corners = sorted_corners<dim>(vertices, i);
+    for (int slot = 0; slot < dim; ++slot) {
+      const int j = corners[slot];
+      const auto& others = scene::Simplex<dim>::facets[j];
+      const int place = scene::block::place_on_facet<dim>(j, i);
+      for (int c = 0; c < dim; ++c) {
+        const int q = one * i + dim * slot + c;
+        vertex_of[q] = j;
+        scene::CornerLoads<dim, double> load = {};
+        load[place][c] = 1;
+        const auto parts = scene::corner_stress<dim, double>(geometry, j, load);
+        std::array<scene::VectorOf<dim, double>, dim + 1> w = {};
+        for (int a = 0; a < dim; ++a)
+          w[others[a]] = scene::share_in_centre<dim, double>(geometry, others[a], j, parts[a]);
+        set_centre(q, w);
+        for (int a = 0; a < dim; ++a) {
+          at_vertex[q][a] = by_root(parts[a]);
+          sums.row(q).template segment<m>(m * others[a]) += at_vertex[q][a];
+        }
+      }
+    }
+  }
+  for (int c = 0; c < dim; ++c) {
+    std::array<scene::VectorOf<dim, double>, dim + 1> w = {};
+    for (auto& of_part : w) of_part[c] = -1;
+    set_centre(n + c, w);
+  }
+
   Energy<dim> energy;
-  energy.loads.noalias() = of_unit.template leftCols<n>().transpose() * of_unit.template leftCols<n>();
-  energy.by_body_force.noalias() = of_unit.template leftCols<n>().transpose() * of_unit.template rightCols<dim>();
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k <= i; ++k) {
+      FacetBlock<dim>& block = energy.loads.at(i, k);
+      block.setZero();
+      subtract_product(block, &sums(one * i, 0), &sums(one * k, 0), rows, n + dim);
+      block = -block;
+      for (int a = 0; a < one; ++a)
+        for (int b = 0; b < one; ++b) {
+          const int q = one * i + a, r = one * k + b;
+          for (int part = 0; part < dim && vertex_of[q] == vertex_of[r]; ++part)
+            block(a, b) += at_vertex[q][part].dot(at_vertex[r][part]);
+        }
+    }
+  energy.by_body_force = sums.template topRows<n>().lazyProduct(sums.template bottomRows<dim>().transpose());
+  energy.stiffness = stiffness_of<dim>(problem.mesh, cell, energy.loads);
   return energy;
 }
 

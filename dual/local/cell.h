@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dual/local/small_blocks.h"
 #include "scene/balanced_block.h"
 #include "scene/scene.h"
 
@@ -16,7 +17,50 @@ template <int dim> inline constexpr int n_spoke_loads = dim* n_facet_loads<dim>;
 
 template <int dim> using FacetVector = Eigen::Matrix<double, n_facet_loads<dim>, 1>;
 template <int dim> using CellVector = Eigen::Matrix<double, n_cell_loads<dim>, 1>;
-template <int dim> using CellForm = Eigen::Matrix<double, n_cell_loads<dim>, n_cell_loads<dim>>;
+template <int dim> using FacetBlock = Eigen::Matrix<double, n_facet_loads<dim>, n_facet_loads<dim>>;
+
+/// A symmetric form of the loads on n facets, facet by facet.
+template <int dim, int n> struct FacetForm {
+  std::array<FacetBlock<dim>, std::size_t{n * (n + 1) / 2}> block;  ///< see at()
+
+  /// Rows of facet i, columns of facet k. \pre k ≤ i
+  FacetBlock<dim>& at(int i, int k) { return block[i * (i + 1) / 2 + k]; }
+  const FacetBlock<dim>& at(int i, int k) const { return block[i * (i + 1) / 2 + k]; }
+  /// The same for any two of them.
+  FacetBlock<dim> rows_of(int i, int k) const { return k <= i ? at(i, k) : FacetBlock<dim>(at(k, i).transpose()); }
+
+  using Vector = Eigen::Matrix<double, n * n_facet_loads<dim>, 1>;
+  Vector operator*(const Vector& x) const {
+    constexpr int one = n_facet_loads<dim>;
+    Vector result = Vector::Zero();
+    for (int i = 0; i < n; ++i)
+      for (int k = 0; k <= i; ++k) {
+        const FacetVector<dim> own = x.template segment<one>(one * i), other = x.template segment<one>(one * k);
+        result.template segment<one>(one * i) += times(at(i, k), other);
+        if (k < i) result.template segment<one>(one * k) += transposed_times(at(i, k), own);
+      }
+    return result;
+  }
+};
+template <int dim> using CellForm = FacetForm<dim, dim + 1>;
+
+template <int dim> using SpokeVector = Eigen::Matrix<double, n_spoke_loads<dim>, 1>;
+/// The loads on all facets but that opposite to a vertex; and the other way round, with none on that.
+template <int dim> SpokeVector<dim> on_spokes(int corner, const CellVector<dim>& loads) {
+  constexpr int one = n_facet_loads<dim>;
+  SpokeVector<dim> result;
+  result.head(one * corner) = loads.head(one * corner);
+  result.tail(one * (dim - corner)) = loads.tail(one * (dim - corner));
+  return result;
+}
+template <int dim> CellVector<dim> on_cell(int corner, const SpokeVector<dim>& loads) {
+  constexpr int one = n_facet_loads<dim>;
+  CellVector<dim> result;
+  result.head(one * corner) = loads.head(one * corner);
+  result.template segment<one>(one * corner).setZero();
+  result.tail(one * (dim - corner)) = loads.tail(one * (dim - corner));
+  return result;
+}
 
 /// A stress or the like, linear on a cell: at its vertices.
 template <int dim> using LinearStress = std::array<scene::Voigt<dim>, dim + 1>;
@@ -47,7 +91,9 @@ scene::BalancedStress<dim, double> stress_of(const std::array<int, dim + 1>& ver
 
 /// The energy of stresses in terms of the loads: ½ ∫ λ : C⁻¹ λ = ½ Lᵀ H L + Lᵀ B F + …
 template <int dim> struct Energy {
-  CellForm<dim> loads;                                          ///< H, symmetric, positive definite
+  CellForm<dim> loads;      ///< H, positive definite
+  CellForm<dim> stiffness;  ///< k: L = k μ has the least ½ Lᵀ H L − μᵀ L that loads
+                            ///< in balance have; not numbers where H is singular
   Eigen::Matrix<double, n_cell_loads<dim>, dim> by_body_force;  ///< B
 };
 template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell);

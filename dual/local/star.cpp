@@ -10,7 +10,8 @@ namespace {
 using scene::Support;
 using scene::Vector;
 
-/// The displacement of a facet's vertices by rigid motions about a point, rotations by `size`.
+}  // namespace
+
 template <int dim>
 Eigen::Matrix<double, n_facet_loads<dim>, scene::Simplex<dim>::n_rigid_motions> motions_of(
     const std::array<Vector<dim>, dim>& x, double size) {
@@ -27,8 +28,6 @@ Eigen::Matrix<double, n_facet_loads<dim>, scene::Simplex<dim>::n_rigid_motions> 
   }
   return result;
 }
-
-}  // namespace
 
 template <int dim> Facets<dim> facets_of(const scene::Problem<dim>& problem) {
   const auto& mesh = problem.mesh;
@@ -127,151 +126,32 @@ template <int dim> const scene::FacetData<dim>* Star<dim>::data(int spoke) const
 }
 
 template <int dim>
-StarData<dim>::StarData(const Star<dim>& star)
-    : gradient(star.cells().size(), Spokes::Zero()),
-      resultant(star.cells().size(), Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1>::Zero()),
-      sum(star.spokes().size(), FacetVector<dim>::Zero()),
-      prescribed(star.spokes().size(), FacetVector<dim>::Zero()) {}
-
-template <int dim>
-StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy)
-    : star_(star),
-      unknown_(star.spokes().size(), -1),
-      normal_(star.spokes().size(), nullptr),
-      response_(star.cells().size()),
-      forced_(star.cells().size()) {
-  for (std::size_t c = 0; c < star.cells().size(); ++c) set_form(c, energy[star.cells()[c]].loads);
-  int n = 0, last = -1;
-  for (std::size_t f = 0; f < star.spokes().size(); ++f) {
-    const scene::FacetData<dim>* data = star.data(static_cast<int>(f));
-    if (data && data->support == Support::fixed) continue;
-    unknown_[f] = n++;
-    if (data && data->support == Support::sliding)
-      normal_[f] = &data->normal;
-    else
-      last = unknown_[f];
+std::vector<std::vector<int>> groups_apart(const scene::Mesh<dim>& mesh, const std::vector<Star<dim>>& stars) {
+  std::vector<std::vector<int>> groups;
+  std::vector<int> group(stars.size(), -1);
+  std::vector<std::size_t> taken;  // by which vertex a group is last known to be
+  for (std::size_t v = 0; v < stars.size(); ++v) {
+    for (const int c : stars[v].cells())
+      for (const int w : mesh.cells[c])
+        if (group[w] >= 0) taken[group[w]] = v + 1;
+    const auto free = std::find_if(taken.begin(), taken.end(), [&](std::size_t by) { return by != v + 1; });
+    group[v] = static_cast<int>(free - taken.begin());
+    if (free == taken.end()) {
+      taken.push_back(0);
+      groups.emplace_back();
+    }
+    groups[group[v]].push_back(static_cast<int>(v));
   }
-  if (n == 0) return;
-  matrix_ = BlockCholesky<Block>(n);
-  for (std::size_t c = 0; c < star.cells().size(); ++c)
-    for (const int f : star.spokes_of(c))
-      for (const int g : star.spokes_of(c))
-        if (unknown_[f] >= 0 && unknown_[g] >= 0) matrix_.connect(unknown_[f], unknown_[g]);
-  matrix_.order(last < 0 ? n - 1 : last);
-  assemble();
-  if (!matrix_.factorise()) throw NotDefinite{star.vertex()};
+  return groups;
 }
 
-/// By Cholesky: H = L Lᵀ, B L⁻ᵀ = (Q R)ᵀ for the resultants B of the loads.
-template <int dim> void StarSystem<dim>::set_form(std::size_t cell, const CellForm<dim>& energy) {
-  constexpr int n = n_spoke_loads<dim>, one = n_facet_loads<dim>, m = scene::Simplex<dim>::n_rigid_motions;
-  const auto facet = [&](int i) { return i < star_.corner(cell) ? i : i + 1; };
-  Response own;
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-      own.template block<one, one>(one * i, one * j) = energy.template block<one, one>(one * facet(i), one * facet(j));
-  Eigen::Matrix<double, n, m> balance;
-  for (int i = 0; i < dim; ++i)
-    balance.template middleRows<one>(one * i) = resultants<dim>(star_.arms(star_.spokes_of(cell)[i])).transpose();
-  const Eigen::LLT<Response> factor(own);
-  Response inverse = Response::Identity();
-  factor.matrixL().solveInPlace(inverse);
-  const Eigen::HouseholderQR<Eigen::Matrix<double, n, m>> qr(factor.matrixL().solve(balance));
-  const Eigen::Matrix<double, n, m> q = qr.householderQ() * Eigen::Matrix<double, n, m>::Identity();
-  const Eigen::Matrix<double, m, m> upper = qr.matrixQR().template topRows<m>();
-  forced_[cell] = inverse.transpose() *
-                  upper.template triangularView<Eigen::Upper>().transpose().template solve<Eigen::OnTheRight>(q);
-  inverse -= (q * (q.transpose() * inverse)).eval();
-  response_[cell].noalias() = inverse.transpose() * inverse;
-}
-
-/// Takes what is along the normal of a spoke out of rows that are of its loads.
-template <int dim> template <class Rows> void StarSystem<dim>::make_tangential(int spoke, Rows&& rows) const {
-  if (!normal_[spoke]) return;
-  const Vector<dim>& d = *normal_[spoke];
-  for (int k = 0; k < dim; ++k) {
-    auto part = rows.template middleRows<dim>(dim * k);
-    part -= (d * ((d.transpose() * part) / d.squaredNorm())).eval();
-  }
-}
-
-template <int dim> void StarSystem<dim>::assemble() {
-  constexpr int one = n_facet_loads<dim>;
-  for (std::size_t c = 0; c < response_.size(); ++c) {
-    const auto& own = star_.spokes_of(c);
-    for (int i = 0; i < dim; ++i)
-      for (int k = 0; k <= i; ++k) {
-        if (unknown_[own[i]] < 0 || unknown_[own[k]] < 0) continue;
-        Block block = response_[c].template block<one, one>(one * i, one * k);
-        make_tangential(own[i], block);
-        block.transposeInPlace();
-        make_tangential(own[k], block);
-        matrix_.add(unknown_[own[k]], unknown_[own[i]], block);
-      }
-  }
-  int last = 0;
-  for (std::size_t f = 0; f < unknown_.size(); ++f) {
-    if (unknown_[f] < 0) continue;
-    if (unknown_[f] == matrix_.last()) last = static_cast<int>(f);
-    if (!normal_[f]) continue;
-    Block& diagonal = matrix_.diagonal(unknown_[f]);
-    const double scale = diagonal.trace() / one;
-    for (int k = 0; k < dim; ++k)
-      diagonal.template block<dim, dim>(dim * k, dim * k) += scale * (*normal_[f]) * normal_[f]->transpose();
-  }
-  // The displacements are known up to motions that nothing holds: these are held where it costs no fill.
-  if (star_.motions().cols() == 0) return;
-  const Eigen::MatrixXd moved = motions_of<dim>(star_.arms(last), star_.size()) * star_.motions();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(moved);
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(one, moved.cols());
-  Block& diagonal = matrix_.diagonal(matrix_.last());
-  diagonal += diagonal.trace() / one * q * q.transpose();
-}
-
-template <int dim> typename StarSystem<dim>::Solution StarSystem<dim>::solve(const StarData<dim>& data) const {
-  constexpr int one = n_facet_loads<dim>;
-  Solution found{std::vector<Spokes>(response_.size()), data.prescribed};
-  std::vector<FacetVector<dim>> right(matrix_.size());
-  for (std::size_t f = 0; f < unknown_.size(); ++f) {
-    if (unknown_[f] >= 0 && !normal_[f]) found.displacement[f].setZero();
-    if (unknown_[f] >= 0) right[unknown_[f]] = data.sum[f];
-  }
-  const auto displacement_of = [&](std::size_t c) {
-    Spokes displacement;
-    for (int i = 0; i < dim; ++i)
-      displacement.template segment<one>(one * i) = found.displacement[star_.spokes_of(c)[i]];
-    return displacement;
-  };
-  for (std::size_t c = 0; c < response_.size(); ++c) {
-    found.loads[c] = response_[c] * (displacement_of(c) - data.gradient[c]) + forced_[c] * data.resultant[c];
-    for (int i = 0; i < dim; ++i)
-      if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0)
-        right[f] -= found.loads[c].template segment<one>(one * i);
-  }
-  if (right.empty()) return found;
-  for (std::size_t f = 0; f < unknown_.size(); ++f)
-    if (unknown_[f] >= 0) make_tangential(static_cast<int>(f), right[unknown_[f]]);
-  matrix_.solve(right);
-  for (std::size_t f = 0; f < unknown_.size(); ++f) {
-    if (unknown_[f] < 0) continue;
-    make_tangential(static_cast<int>(f), right[unknown_[f]]);
-    found.displacement[f] += right[unknown_[f]];
-  }
-  for (std::size_t c = 0; c < response_.size(); ++c) {
-    Spokes added = Spokes::Zero();
-    for (int i = 0; i < dim; ++i)
-      if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0) added.template segment<one>(one * i) = right[f];
-    found.loads[c].noalias() += response_[c] * added;
-  }
-  return found;
-}
-
-#define INSTANTIATE(dim)                                      \
-  template Facets<dim> facets_of(const scene::Problem<dim>&); \
-  template Stars stars_of(const scene::Mesh<dim>&);           \
-  template class Star<dim>;                                   \
-  template struct StarData<dim>;                              \
-  template class StarSystem<dim>;
+#define INSTANTIATE(dim)                                                                                    \
+  template Eigen::Matrix<double, n_facet_loads<dim>, scene::Simplex<dim>::n_rigid_motions> motions_of<dim>( \
+      const std::array<Vector<dim>, dim>&, double);                                                         \
+  template Facets<dim> facets_of(const scene::Problem<dim>&);                                               \
+  template Stars stars_of(const scene::Mesh<dim>&);                                                         \
+  template class Star<dim>;                                                                                 \
+  template std::vector<std::vector<int>> groups_apart(const scene::Mesh<dim>&, const std::vector<Star<dim>>&);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

@@ -1,11 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dual/local/block_cholesky.h"
 #include "dual/local/cell.h"
 
-/// The star of a vertex: the cells at it, held together by their common facets, its spokes; and the least energy of
-/// loads on these in balance (docs/theory.md §12.2).
+/// The star of a vertex: the cells at it, held together by their common facets, its spokes (docs/theory.md §12.2).
 namespace bracket::dual {
 
 /// What the facets of a mesh are.
@@ -31,6 +29,12 @@ struct Stars {
   std::vector<int> cell;
 };
 template <int dim> Stars stars_of(const scene::Mesh<dim>& mesh);
+
+/// The displacement of a facet's vertices by rigid motions about a point, rotations by `size`.
+/// \param x the vertices about that point
+template <int dim>
+Eigen::Matrix<double, n_facet_loads<dim>, scene::Simplex<dim>::n_rigid_motions> motions_of(
+    const std::array<scene::Vector<dim>, dim>& x, double size);
 
 /// Rigid motions about a vertex: translation, then rotations in the planes of Simplex::rotations; columns.
 template <int dim>
@@ -68,54 +72,8 @@ template <int dim> class Star {
   Motions<dim> motions_;
 };
 
-/// What the loads on the spokes of a star's cells are to be.
-template <int dim> struct StarData {
-  using Spokes = Eigen::Matrix<double, n_spoke_loads<dim>, 1>;
-  std::vector<Spokes> gradient;  ///< of the energy by the loads, as they are
-  /// Force and moments about the vertex that the loads of each cell have.
-  std::vector<Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1>> resultant;
-  /// Of the loads on each spoke: of both cells inside, of one on Γ_τ and Γ_K, without what is along the normal on Γ_0.
-  std::vector<FacetVector<dim>> sum;
-  /// Displacements of spokes on Γ_u and, along the normal, Γ_0, by moments: dual to loads.
-  std::vector<FacetVector<dim>> prescribed;
-
-  explicit StarData(const Star<dim>& star);  ///< all zero
-};
-
-/// A star whose system is not definite in floating point.
-struct NotDefinite {
-  int vertex;
-};
-
-/// The least energy Σ ½ DᵀH D + gradientᵀ D − D · prescribed of loads D on a star's spokes that do what is given.
-template <int dim> class StarSystem {
- public:
-  using Spokes = typename StarData<dim>::Spokes;
-  struct Solution {
-    std::vector<Spokes> loads;                   ///< D of each cell
-    std::vector<FacetVector<dim>> displacement;  ///< of each spoke: the derivative of the energy by `sum`
-  };
-
-  /// \param energy H of all cells of the mesh
-  /// \throw NotDefinite
-  StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy);
-  /// What `sum` lacks of balance along Star::motions() is left on one spoke.
-  Solution solve(const StarData<dim>& data) const;
-
- private:
-  using Response = Eigen::Matrix<double, n_spoke_loads<dim>, n_spoke_loads<dim>>;
-  using Forced = Eigen::Matrix<double, n_spoke_loads<dim>, scene::Simplex<dim>::n_rigid_motions>;
-  using Block = Eigen::Matrix<double, n_facet_loads<dim>, n_facet_loads<dim>>;
-  void set_form(std::size_t cell, const CellForm<dim>& energy);
-  void assemble();
-  template <class Rows> void make_tangential(int spoke, Rows&& rows) const;
-
-  const Star<dim>& star_;
-  std::vector<int> unknown_;                       ///< of each spoke; −1: on Γ_u
-  std::vector<const scene::Vector<dim>*> normal_;  ///< of spokes on Γ_0
-  std::vector<Response> response_;                 ///< D = response (μ − gradient) + forced · resultant
-  std::vector<Forced> forced_;
-  BlockCholesky<Block> matrix_;
-};
+/// The stars of all vertices, as numbers of these: in each group those that have no cell in common.
+template <int dim>
+std::vector<std::vector<int>> groups_apart(const scene::Mesh<dim>& mesh, const std::vector<Star<dim>>& stars);
 
 }  // namespace bracket::dual

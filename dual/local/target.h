@@ -5,12 +5,6 @@
 
 namespace bracket::dual {
 
-/// The loads that a facet has to have: of Γ_τ those of the data, of Γ_K the pressure's; zero inside and on Γ_u and Γ_0.
-/// \param pressure of each contact, at the vertices of its first facet, force per area
-template <int dim>
-std::vector<FacetVector<dim>> given_loads(const scene::Problem<dim>& problem, const Facets<dim>& facets,
-                                          const std::vector<std::array<double, std::size_t{dim}>>& pressure);
-
 /// The stress σ* that stars hand out (docs/theory.md §12.3): linear on each cell, close to that of a displacement, with
 ///     ∫ σ* : ε(ψ_a ρ) = ∫ F · ψ_a ρ + Σ ∫ ψ_a t · ρ   for every vertex a and every motion ρ that its supports leave,
 /// t the given loads: σ* = σ̄ + C′ ε(w) with σ̄ smoothed and w = Σ ψ_a ρ_a, six unknowns a vertex (three in the plane),

@@ -74,7 +74,7 @@ std::vector<Displaced<dim>> displaced(const scene::Problem<dim>& problem, const 
 
 /// D = response · (μ − gradient) + forced of a cell's loads D.
 template <int dim> struct CellResponse {
-  dual::CellForm<dim> response;
+  Eigen::MatrixXd response;
   CellVector<dim> rest;  ///< of μ = 0
 };
 template <int dim> CellResponse<dim> response_of(const scene::Problem<dim>& problem, int cell) {
@@ -97,7 +97,11 @@ template <int dim> CellResponse<dim> response_of(const scene::Problem<dim>& prob
     const auto [i, j] = scene::Simplex<dim>::rotations[r];
     resultant[dim + r] = -(arm[i] * weight[j] - arm[j] * weight[i]);
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(energy.loads);
+  Eigen::MatrixXd form(balance.cols(), balance.cols());
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k <= dim; ++k)
+      form.block(one<dim> * i, one<dim> * k, one<dim>, one<dim>) = energy.loads.rows_of(i, k);
+  const Eigen::LLT<Eigen::MatrixXd> factor(form);
   const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(balance.cols(), balance.cols()));
   const Eigen::MatrixXd lifted = inverse * balance.transpose();
   const Eigen::MatrixXd schur = (balance * lifted).inverse();

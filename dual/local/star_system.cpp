@@ -1,0 +1,206 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include "dual/local/star_system.h"
+
+#include <limits>
+
+namespace bracket::dual {
+
+using scene::Support;
+using scene::Vector;
+
+template <int dim>
+StarData<dim>::StarData(const Star<dim>& star)
+    : gradient(star.cells().size(), Spokes::Zero()),
+      resultant(star.cells().size(), Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1>::Zero()),
+      sum(star.spokes().size(), FacetVector<dim>::Zero()),
+      prescribed(star.spokes().size(), FacetVector<dim>::Zero()) {}
+
+template <int dim>
+StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy)
+    : star_(star),
+      energy_(energy),
+      unknown_(star.spokes().size(), -1),
+      normal_(star.spokes().size(), nullptr),
+      response_(star.cells().size()),
+      balance_(star.cells().size()),
+      balance_root_(star.cells().size()) {
+  for (std::size_t c = 0; c < star.cells().size(); ++c) set_form(c);
+  int n = 0, last = -1;
+  for (std::size_t f = 0; f < star.spokes().size(); ++f) {
+    const scene::FacetData<dim>* data = star.data(static_cast<int>(f));
+    if (data && data->support == Support::fixed) continue;
+    unknown_[f] = n++;
+    if (data && data->support == Support::sliding)
+      normal_[f] = &data->normal;
+    else
+      last = unknown_[f];
+  }
+  if (n == 0) return;
+  matrix_ = BlockCholesky<Block>(n);
+  for (std::size_t c = 0; c < star.cells().size(); ++c)
+    for (const int f : star.spokes_of(c))
+      for (const int g : star.spokes_of(c))
+        if (unknown_[f] >= 0 && unknown_[g] >= 0) matrix_.connect(unknown_[f], unknown_[g]);
+  matrix_.order(last < 0 ? n - 1 : last);
+  assemble();
+  if (!matrix_.factorise()) throw NotDefinite{star.vertex()};
+}
+
+/// The facet opposite to the vertex moves such that its loads are zero.
+template <int dim> void StarSystem<dim>::set_form(std::size_t cell) {
+  constexpr int one = n_facet_loads<dim>;
+  const int corner = star_.corner(cell);
+  const CellForm<dim>& stiffness = energy_[star_.cells()[cell]].stiffness;
+  Block opposite = stiffness.at(corner, corner);
+  if (!dual::factorise(opposite)) throw NotDefinite{star_.vertex()};
+  std::array<Block, dim> by_opposite;
+  const auto facet = [&](int i) { return i < corner ? i : i + 1; };
+  for (int i = 0; i < dim; ++i) {
+    by_opposite[i] = stiffness.rows_of(facet(i), corner);
+    divide(by_opposite[i], opposite);
+    for (int k = 0; k <= i; ++k) {
+      response_[cell].at(i, k) = stiffness.at(facet(i), facet(k));
+      subtract_product(response_[cell].at(i, k), by_opposite[i], by_opposite[k]);
+    }
+    balance_[cell].template middleCols<one>(one * i) = resultants<dim>(star_.arms(star_.spokes_of(cell)[i]));
+  }
+  balance_root_[cell] = balance_[cell].lazyProduct(balance_[cell].transpose());
+  if (!dual::factorise(balance_root_[cell])) throw NotDefinite{star_.vertex()};
+}
+
+/// Adds to the loads of a cell the smallest that have a resultant.
+template <int dim>
+void StarSystem<dim>::add_shortest(std::size_t cell, const Resultant& resultant, Spokes& loads) const {
+  Resultant amount = resultant;
+  solve_lower(balance_root_[cell], amount);
+  solve_upper(balance_root_[cell], amount);
+  loads += balance_[cell].transpose().lazyProduct(amount);
+}
+
+/// Takes what is along the normal of a spoke out of rows that are of its loads.
+template <int dim> template <class Rows> void StarSystem<dim>::make_tangential(int spoke, Rows&& rows) const {
+  if (!normal_[spoke]) return;
+  const Vector<dim>& d = *normal_[spoke];
+  for (int k = 0; k < dim; ++k) {
+    auto part = rows.template middleRows<dim>(dim * k);
+    part -= (d * ((d.transpose() * part) / d.squaredNorm())).eval();
+  }
+}
+
+template <int dim> void StarSystem<dim>::assemble() {
+  constexpr int one = n_facet_loads<dim>;
+  for (std::size_t c = 0; c < response_.size(); ++c) {
+    const auto& own = star_.spokes_of(c);
+    for (int i = 0; i < dim; ++i)
+      for (int k = 0; k <= i; ++k) {
+        if (unknown_[own[i]] < 0 || unknown_[own[k]] < 0) continue;
+        Block block = response_[c].at(i, k);
+        make_tangential(own[i], block);
+        block.transposeInPlace();
+        make_tangential(own[k], block);
+        matrix_.add(unknown_[own[k]], unknown_[own[i]], block);
+      }
+  }
+  int last = 0;
+  for (std::size_t f = 0; f < unknown_.size(); ++f) {
+    if (unknown_[f] < 0) continue;
+    if (unknown_[f] == matrix_.last()) last = static_cast<int>(f);
+    if (!normal_[f]) continue;
+    Block& diagonal = matrix_.diagonal(unknown_[f]);
+    const double scale = diagonal.trace() / one;
+    for (int k = 0; k < dim; ++k)
+      diagonal.template block<dim, dim>(dim * k, dim * k) += scale * (*normal_[f]) * normal_[f]->transpose();
+  }
+  // The displacements are known up to motions that nothing holds: these are held where it costs no fill.
+  if (star_.motions().cols() == 0) return;
+  const Eigen::MatrixXd moved = motions_of<dim>(star_.arms(last), star_.size()) * star_.motions();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(moved);
+  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(one, moved.cols());
+  Block& diagonal = matrix_.diagonal(matrix_.last());
+  diagonal += diagonal.trace() / one * q * q.transpose();
+}
+
+template <int dim> typename StarSystem<dim>::Solution StarSystem<dim>::solve(const StarData<dim>& data) const {
+  constexpr int one = n_facet_loads<dim>;
+  Solution found{std::vector<Spokes>(response_.size()), data.prescribed};
+  for (std::size_t f = 0; f < unknown_.size(); ++f)
+    if (unknown_[f] >= 0 && !normal_[f]) found.displacement[f].setZero();
+  for (std::size_t c = 0; c < response_.size(); ++c) {
+    Spokes slope = -data.gradient[c];
+    for (int i = 0; i < dim; ++i) slope.template segment<one>(one * i) += found.displacement[star_.spokes_of(c)[i]];
+    Spokes& loads = found.loads[c];
+    loads.setZero();
+    if (!data.resultant[c].isZero(0)) {
+      add_shortest(c, data.resultant[c], loads);
+      slope -= on_spokes<dim>(star_.corner(c), energy_[star_.cells()[c]].loads * on_cell<dim>(star_.corner(c), loads));
+    }
+    loads += response_[c] * slope;
+  }
+  // Rounding of the cells' stiffness leaves a balance worth less than the loads' last digits: what is lacking is handed
+  // out in the same way, until what that can leave in turn is below these, or it is of no more use.
+  double before = handed_out(data, found), change = handed_out(data, found);
+  const auto last_digit = [&] {
+    double largest = 0;
+    for (const Spokes& loads : found.loads) largest = std::max(largest, loads.template lpNorm<Eigen::Infinity>());
+    return std::numeric_limits<double>::epsilon() * largest;
+  };
+  while (change < before / 2 && change / before * change > last_digit()) {
+    before = change;
+    change = handed_out(data, found);
+  }
+  return found;
+}
+
+/// Hands out what the loads of a solution lack, in two steps: to each cell by itself, then between them.
+/// \return the largest change of a load
+template <int dim> double StarSystem<dim>::handed_out(const StarData<dim>& data, Solution& found) const {
+  constexpr int one = n_facet_loads<dim>;
+  double largest = 0;
+  std::vector<FacetVector<dim>> right(matrix_.size());
+  for (std::size_t f = 0; f < unknown_.size(); ++f)
+    if (unknown_[f] >= 0) right[unknown_[f]] = data.sum[f];
+  const std::vector<Spokes> before = found.loads;
+  for (std::size_t c = 0; c < response_.size(); ++c) {
+    add_shortest(c, data.resultant[c] - balance_[c].lazyProduct(found.loads[c]), found.loads[c]);
+    for (int i = 0; i < dim; ++i)
+      if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0)
+        right[f] -= found.loads[c].template segment<one>(one * i);
+  }
+  for (std::size_t f = 0; f < unknown_.size(); ++f)
+    if (unknown_[f] >= 0) make_tangential(static_cast<int>(f), right[unknown_[f]]);
+  if (!right.empty()) matrix_.solve(right);
+  for (std::size_t f = 0; f < unknown_.size(); ++f) {
+    if (unknown_[f] < 0) continue;
+    make_tangential(static_cast<int>(f), right[unknown_[f]]);
+    found.displacement[f] += right[unknown_[f]];
+  }
+  for (std::size_t c = 0; c < response_.size(); ++c) {
+    Spokes added = Spokes::Zero();
+    for (int i = 0; i < dim; ++i)
+      if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0) added.template segment<one>(one * i) = right[f];
+    found.loads[c] += response_[c] * added;
+    largest = std::max(largest, (found.loads[c] - before[c]).template lpNorm<Eigen::Infinity>());
+  }
+  return largest;
+}
+
+template <int dim>
+std::vector<FacetVector<dim>> StarSystem<dim>::moved_by(int spoke, const FacetVector<dim>& sum) const {
+  std::vector<FacetVector<dim>> right(matrix_.size(), FacetVector<dim>::Zero());
+  right[unknown_[spoke]] = sum;
+  matrix_.solve(right);
+  std::vector<FacetVector<dim>> moved(unknown_.size(), FacetVector<dim>::Zero());
+  for (std::size_t f = 0; f < unknown_.size(); ++f) {
+    if (unknown_[f] < 0) continue;
+    moved[f] = right[unknown_[f]];
+    make_tangential(static_cast<int>(f), moved[f]);
+  }
+  return moved;
+}
+
+template struct StarData<2>;
+template struct StarData<3>;
+template class StarSystem<2>;
+template class StarSystem<3>;
+
+}  // namespace bracket::dual

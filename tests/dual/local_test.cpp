@@ -1,0 +1,164 @@
+// Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "dual/local/star_system.h"
+#include "tests/support/problems_in_space.h"
+#include "tests/support/scenes.h"
+
+namespace bracket::dual {
+namespace {
+
+using scene::Problem;
+
+constexpr double poissons[] = {0.3, 0.4999, 0.4999999};
+
+template <int dim> Problem<dim> problem(double poisson, double flat);
+template <> Problem<2> problem<2>(double poisson, double flat) {
+  scene::Scene<2> s;
+  s.blocks = {tests::block("b", 0, 1, 0, 1 / flat, 3, 3)};
+  s.bodies = {{"b", scene::isotropic<2>(2, poisson, scene::Plane::strain)}};
+  s.boundary = {{"b.left", tests::fixed(0, 0)}, {"b.bottom", tests::sliding(0)}};
+  return tests::problem(s);
+}
+template <> Problem<3> problem<3>(double poisson, double flat) {
+  Problem<3> result = tests::problem_on(tests::mesh_of({tests::Box{"b", {{{0, 1}, {0, 1}, {0, 1 / flat}}}, {2, 2, 2}}}),
+                                        {{scene::isotropic<3>(2, poisson, scene::Plane::strain)}});
+  tests::fix(result, "b.left", tests::nowhere());
+  tests::slide(result, "b.back", tests::everywhere(0));
+  return result;
+}
+
+template <int dim> Eigen::MatrixXd dense(const CellForm<dim>& form) {
+  constexpr int one = n_facet_loads<dim>;
+  Eigen::MatrixXd result(n_cell_loads<dim>, n_cell_loads<dim>);
+  for (int i = 0; i <= dim; ++i)
+    for (int k = 0; k <= dim; ++k) result.block(one * i, one * k, one, one) = form.rows_of(i, k);
+  return result;
+}
+
+template <int dim> void expect_forms_of_cells() {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double poisson : poissons)
+    for (const double flat : {1.0, 20.0}) {
+      const Problem<dim> p = problem<dim>(poisson, flat);
+      const Energy<dim> energy = energy_of(p, 1);
+      const Eigen::MatrixXd h = dense<dim>(energy.loads), k = dense<dim>(energy.stiffness);
+      // H is that of the stress itself: at its vertices and centroid a quadratic form is integrated exactly.
+      CellVector<dim> loads;
+      for (double& x : loads) x = number(random);
+      const scene::Vector<dim> force = 0.3 * scene::Vector<dim>::Ones();
+      const auto stress = stress_of<dim>(p.mesh.cells[1], geometry_of(p.mesh, 1), loads, force);
+      const auto& compliance = body_of(p, 1).material.compliance();
+      const auto of = [&](const scene::Voigt<dim>& s) { return s.dot(compliance * s); };
+      double twice = 0;
+      for (const auto& part : stress) {
+        scene::Voigt<dim> sum = scene::Voigt<dim>::Zero();
+        for (const auto& tensor : part) {
+          const Eigen::Map<const scene::Voigt<dim>> t(tensor.data());
+          sum += t;
+          twice += of(t);
+        }
+        twice += of(sum);
+      }
+      twice *= scene::volume(p.mesh, 1) / ((dim + 1) * (dim + 1) * (dim + 2));
+      const double of_force = twice - loads.dot(h * loads) - 2 * loads.dot(energy.by_body_force * force);
+      const auto by_force = stress_of<dim>(p.mesh.cells[1], geometry_of(p.mesh, 1), CellVector<dim>::Zero(), force);
+      const double expected = of(Eigen::Map<const scene::Voigt<dim>>(by_force[0][dim].data())) *
+                              scene::volume(p.mesh, 1) * 2 / ((dim + 1) * (dim + 2));
+      EXPECT_NEAR(of_force, expected, 1e-12 * twice) << poisson << " " << flat;
+      EXPECT_TRUE(((energy.loads * loads) - h * loads).isZero(1e-12 * (h * loads).norm()));
+      // k is its inverse on loads in balance, by as much as H can be told to be singular.
+      const double rounding = 1e-14 * h.norm() * k.norm();
+      EXPECT_LE((k * h * k - k).norm(), rounding * k.norm()) << poisson << " " << flat;
+      // Motions and nothing else leave it without loads.
+      const Eigen::VectorXd eigenvalue = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues();
+      constexpr int m = scene::Simplex<dim>::n_rigid_motions;
+      EXPECT_LE(eigenvalue.head(m).cwiseAbs().maxCoeff(), rounding * k.norm()) << poisson << " " << flat;
+      EXPECT_GE(eigenvalue[m], 0.5 / h.norm()) << poisson << " " << flat;
+    }
+}
+TEST(LocalForms, of_cells_are_those_of_their_stresses) {
+  expect_forms_of_cells<2>();
+  expect_forms_of_cells<3>();
+}
+
+/// \return the largest of what a star's loads lack of resultants and sums
+template <int dim>
+double lacking(const Problem<dim>& p, const Facets<dim>& facets, const Star<dim>& star, const StarData<dim>& data,
+               const typename StarSystem<dim>::Solution& found) {
+  constexpr int one = n_facet_loads<dim>, m = scene::Simplex<dim>::n_rigid_motions;
+  double most = 0;
+  std::vector<FacetVector<dim>> sum(star.spokes().size(), FacetVector<dim>::Zero());
+  for (std::size_t c = 0; c < star.cells().size(); ++c) {
+    Eigen::Matrix<double, m, 1> resultant = -data.resultant[c];
+    for (int i = 0; i < dim; ++i) {
+      const int f = star.spokes_of(c)[i];
+      const FacetVector<dim> own = found.loads[c].template segment<one>(one * i);
+      resultant += resultants<dim>(star.arms(f)) * own;
+      sum[f] += own;
+    }
+    most = std::max(most, resultant.template lpNorm<Eigen::Infinity>());
+  }
+  for (std::size_t f = 0; f < sum.size(); ++f) {
+    const auto& facet = facets.facet[star.spokes()[f]];
+    if (facet.boundary >= 0 && facet.support == scene::Support::fixed) continue;
+    FacetVector<dim> rest = sum[f] - data.sum[f];
+    if (facet.boundary >= 0 && facet.support == scene::Support::sliding)
+      for (int k = 0; k < dim; ++k) {
+        const scene::Vector<dim> d = p.facets[facet.boundary].normal;
+        rest.template segment<dim>(dim * k) -= d * d.dot(rest.template segment<dim>(dim * k)) / d.squaredNorm();
+      }
+    most = std::max(most, rest.template lpNorm<Eigen::Infinity>());
+  }
+  return most;
+}
+
+template <int dim> void expect_balance() {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double poisson : poissons)
+    for (const double flat : {1.0, 20.0}) {
+      const Problem<dim> p = problem<dim>(poisson, flat);
+      const Facets<dim> facets = facets_of(p);
+      const Stars stars = stars_of(p.mesh);
+      std::vector<Energy<dim>> energy;
+      for (std::size_t c = 0; c < p.mesh.cells.size(); ++c) energy.push_back(energy_of(p, static_cast<int>(c)));
+      double condition = 0, load = 0;  // the largest of all stars
+      for (const Energy<dim>& one : energy)
+        condition = std::max(condition, dense<dim>(one.loads).norm() * dense<dim>(one.stiffness).norm());
+      std::vector<double> missing;
+      for (std::size_t v = 0; v < p.mesh.vertices.size(); ++v) {
+        const Star<dim> star(p, facets, stars, static_cast<int>(v));
+        const StarSystem<dim> system(star, energy);
+        StarData<dim> data(star), second(star);
+        for (std::size_t c = 0; c < star.cells().size(); ++c)
+          for (auto* of : {&data, &second})
+            for (double& x : of->gradient[c]) x = number(random);
+        const auto found = system.solve(data), other = system.solve(second);
+        missing.push_back(lacking<dim>(p, facets, star, data, found));
+        for (const auto& loads : found.loads) load = std::max(load, loads.template lpNorm<Eigen::Infinity>());
+        // Of least energy: what other loads in balance gain to first order is nothing.
+        double gain = 0, size = 0;
+        for (std::size_t c = 0; c < star.cells().size(); ++c) {
+          const int corner = star.corner(c);
+          const SpokeVector<dim> slope =
+              on_spokes<dim>(corner, energy[star.cells()[c]].loads * on_cell<dim>(corner, found.loads[c])) +
+              data.gradient[c];
+          gain += slope.dot(other.loads[c]);
+          size += data.gradient[c].norm() * (other.loads[c].norm() + 1e-16 * load);
+        }
+        EXPECT_LE(std::abs(gain), 1e-14 * condition * size) << dim << " " << poisson << " " << flat << " " << v;
+      }
+      for (const double one : missing) EXPECT_LE(one, 1e-13 * load) << dim << " " << poisson << " " << flat;
+    }
+}
+TEST(LocalStar, is_in_balance_to_rounding_however_stiff_or_flat_its_cells_are) {
+  expect_balance<2>();
+  expect_balance<3>();
+}
+
+}  // namespace
+}  // namespace bracket::dual
