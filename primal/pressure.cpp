@@ -95,7 +95,9 @@ template <int dim> Triplets jumps(const Approach<dim>& approach) {
 
 }  // namespace
 
-template <int dim> PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem) const {
+template <int dim>
+PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem,
+                                                     const std::vector<char>& closed) const {
   const Factorised& of = *factorised_;
   const Nodes<dim> nodes = make_nodes(problem, of.nodes.degree);
   if (nodes.body_nodes != of.nodes.body_nodes)
@@ -105,7 +107,9 @@ template <int dim> PressureResult<dim> Solver<dim>::solve_with_pressure(const Pr
   contact::Limits limits{Eigen::VectorXd(m), Eigen::VectorXd(m)};
   Eigen::VectorXd bounds(m);
   std::vector<Triplets> entries(nodes.body_nodes.size());
+  std::vector<char> guess;
   for (Eigen::Index i = 0; i < m; ++i) {
+    if (!closed.empty()) guess.push_back((closed[i / dim] & scene::touches) != 0);
     const Row row = moment(approach, static_cast<int>(i) / dim, static_cast<int>(i) % dim);
     bounds[i] = row.bound;
     limits.lower[i] = row.lower;
@@ -124,7 +128,7 @@ template <int dim> PressureResult<dim> Solver<dim>::solve_with_pressure(const Pr
   added.setFromTriplets(of_jumps.begin(), of_jumps.end());
 
   const contact::Solution solution =
-      of.bodies.with_rows(std::move(rows), std::move(added)).solve(of.forces(problem, nodes), bounds, {}, limits);
+      of.bodies.with_rows(std::move(rows), std::move(added)).solve(of.forces(problem, nodes), bounds, guess, limits);
   PressureResult<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(solution, "pressures", problem.mesh.components,
@@ -139,7 +143,7 @@ template <int dim> PressureResult<dim> Solver<dim>::solve_with_pressure(const Pr
 
 template struct PressureResult<2>;
 template struct PressureResult<3>;
-template PressureResult<2> Solver<2>::solve_with_pressure(const Problem<2>&) const;
-template PressureResult<3> Solver<3>::solve_with_pressure(const Problem<3>&) const;
+template PressureResult<2> Solver<2>::solve_with_pressure(const Problem<2>&, const std::vector<char>&) const;
+template PressureResult<3> Solver<3>::solve_with_pressure(const Problem<3>&, const std::vector<char>&) const;
 
 }  // namespace bracket::primal

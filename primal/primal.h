@@ -54,8 +54,10 @@ template <int dim> class Solver {
   /// The pressures of least complementary energy, F the compliance for the moments of r against the
   /// facets' hat functions, with a term for their jumps from facet to facet. Whether any balance
   /// the loads is decided first; if not: no_equilibrium, though solve() may find displacements.
-  /// \param problem as for solve(), without springs and friction
-  PressureResult<dim> solve_with_pressure(const scene::Problem<dim>& problem) const;
+  /// \param problem as for solve(), without springs and friction   \param closed contact facets expected to be pressed
+  ///     (as Result::closed, or empty: all)
+  PressureResult<dim> solve_with_pressure(const scene::Problem<dim>& problem,
+                                          const std::vector<char>& closed = {}) const;
 
  private:
   struct Factorised;

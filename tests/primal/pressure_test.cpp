@@ -142,6 +142,20 @@ TEST(Pressure, displacements_are_in_balance_with_it) {
   EXPECT_LE(misfit<2>(plane, 2, Solver<2>(plane, 2).solve_with_pressure(plane)), 1e-14);
 }
 
+TEST(Pressure, is_the_same_whatever_is_expected_to_be_closed) {
+  const auto problem = tests::problem(tests::two_blocks(6));
+  const Solver<2> solver(problem, 2);
+  const auto any = solver.solve_with_pressure(problem);
+  ASSERT_EQ(any.termination, contact::Termination::solved) << any.reason;
+  const std::vector<char> none(problem.contact.size(), 0);
+  for (const auto& closed : {solver.solve(problem).closed, none}) {
+    const auto found = solver.solve_with_pressure(problem, closed);
+    ASSERT_EQ(found.termination, contact::Termination::solved) << found.reason;
+    for (std::size_t j = 0; j < problem.contact.size(); ++j)
+      for (int i = 0; i < 2; ++i) EXPECT_NEAR(found.pressure[j][i], any.pressure[j][i], 1e-10);
+  }
+}
+
 TEST(Pressure, where_none_balances_the_loads_there_may_be_displacements) {
   // A block of one cell across on a wall that may turn: linear pressures on the two triangles have resultants in
   // (¼, ¾), those of the rows of quadratic displacements up to the rim.
