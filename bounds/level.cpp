@@ -36,7 +36,6 @@ template <int dim> std::string unsolved(const Examined<dim>& solved) {
 
 /// Displacements, then stresses from them star by star.
 template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const scene::Scene<dim>& scene) {
-  constexpr int sweeps = 1;
   Clock clock;
   const auto& problem = meshed.problem;
   Examined<dim> solved;
@@ -44,9 +43,11 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   solved.primal = solver.solve(problem, meshed.primal_closed);
   solved.level.seconds.primal = clock.lap();
   if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
-  primal::PressureResult<dim> start = solver.solve_with_pressure(problem);
+  primal::PressureResult<dim> start = solver.solve_with_pressure(problem, solved.primal.closed);
   const double of_pressure = clock.seconds();
   if (start.termination == contact::Termination::solved) {
+    const int sweeps =
+        scene.solve.sweeps.value_or(scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh))));
     solved.dual = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
     solved.dual.statistics.seconds.contact += of_pressure;
     solved.unsolved = solved.dual.reason;

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -81,8 +82,10 @@ std::string spent(const scene::Refine& refine, int meshes, double seconds) {
   return "";
 }
 
+/// \param closed empty: nothing is inherited
 std::vector<char> inherited(const std::vector<char>& closed, const std::vector<int>& parent) {
   std::vector<char> result;
+  if (closed.empty()) return result;
   for (const int facet : parent) result.push_back(facet < 0 ? 0 : closed[facet]);
   return result;
 }
@@ -132,8 +135,7 @@ Meshed<dim> finer(const scene::Scene<dim>& scene, const Meshed<dim>& old, const 
   auto [refined, cell_parent, contact_parent] = scene::refine(problem, marked);
   return {.problem = std::move(refined),
           .primal_closed = inherited(examined.primal.closed, contact_parent),
-          .dual_closed =
-              examined.dual.closed.empty() ? std::vector<char>() : inherited(examined.dual.closed, contact_parent),
+          .dual_closed = inherited(examined.dual.closed, contact_parent),
           .changed = old.changed,
           .notes = old.notes};
 }
@@ -310,6 +312,12 @@ Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, co
         Status::input,
         "a problem with Coulomb's friction, whose bound is another on each mesh, cannot be refined without "
         "its scene; expected refine.strategy none");
+  if (scene.solve.dual == scene::Dual::local && std::ranges::any_of(problem.contact, [](const auto& pair) {
+        return has_springs(pair.law) || has_friction(pair.law);
+      }))
+    throw scene::Error(Status::input,
+                       "a problem with springs or friction needs solve.dual = \"hybrid\": stresses built locally know "
+                       "neither");
   const auto first = [&] { return Meshed<dim>{.problem = std::move(problem), .changed = true}; };
   return run_from(scene, first, observer);
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -202,10 +203,21 @@ template <int dim> Found settings_fault(const Refine& refine, const Solve& solve
   if (dim == 3 && solve.degree > 2)
     return Fault{{"solve", "degree"},
                  fmt::format("solve.degree must be 1 or 2 in three dimensions, is {}", solve.degree)};
-  if ((dim == 3) != (solve.dual == Dual::local))
+  if (dim == 3 && solve.dual != Dual::local)
     return Fault{{"solve", "dual"},
-                 fmt::format("solve.dual = \"{}\" is for {} dimensions; here write {}", name(solve.dual),
-                             dim == 3 ? "two" : "three", dim == 3 ? "\"local\"" : "\"hybrid\" or \"uzawa\"")};
+                 fmt::format("solve.dual = \"{}\" is for two dimensions; here write \"local\"", name(solve.dual))};
+  if (dim == 2 && solve.dual == Dual::local && solve.degree != 2)
+    return Fault{
+        {"solve", "dual"},
+        fmt::format("solve.dual = \"local\" is for displacements of degree 2 in the plane; solve.degree is {}: "
+                    "write solve.dual = \"hybrid\"",
+                    solve.degree)};
+  if (solve.sweeps && solve.dual != Dual::local)
+    return Fault{{"solve", "sweeps"},
+                 fmt::format("solve.sweeps are those of solve.dual = \"local\", which is \"{}\": leave them out",
+                             name(solve.dual))};
+  if (solve.sweeps && (*solve.sweeps < 1 || *solve.sweeps > 100))
+    return Fault{{"solve", "sweeps"}, fmt::format("solve.sweeps must be from 1 to 100, is {}", *solve.sweeps)};
   if (solve.dual == Dual::uzawa && solve.degree > 2)
     return Fault{{"solve", "dual"},
                  fmt::format("solve.dual = \"uzawa\" has linear stresses, beside displacements of degree 1 or 2; "
@@ -272,6 +284,11 @@ template <int dim> double cells_of(const Scene<dim>& scene) {
 template <int dim> bool has_coulomb(const Scene<dim>& scene) {
   return std::any_of(scene.contact.begin(), scene.contact.end(),
                      [](const ContactPair<dim>& pair) { return pair.law == Law::coulomb; });
+}
+
+int sweeps_for(double flatness) {
+  constexpr int most = 8;  // for more, cells of better shape are the better way
+  return flatness <= flat ? 1 : std::min(most, static_cast<int>(std::ceil(flatness / 3)));
 }
 
 double bulk_for(int degree) { return degree >= 3 ? 0.8 : 0.5; }

@@ -29,6 +29,11 @@ template <int dim> std::string law_message(const Scene<dim>& scene, const Contac
         "contact.law: Uzawa's iteration knows frictionless contact only; for '{}' write solve.dual = "
         "\"hybrid\"",
         name(pair.law));
+  if (dim == 2 && scene.solve.dual == Dual::local && pair.law != Law::bilateral)
+    return fmt::format(
+        "contact.law: stresses built locally know \"frictionless\" and \"bilateral\" only; for '{}' write solve.dual = "
+        "\"hybrid\"",
+        name(pair.law));
   if (pair.law == Law::coulomb && scene.solve.degree > 2)
     return fmt::format(
         "contact.law: Coulomb's friction takes its bound from pressures that are linear on each edge, of "

@@ -43,6 +43,10 @@ template <int dim> std::string fault_in(const Quantity<dim>& quantity) {
 }  // namespace
 
 template <int dim> std::optional<Fault> quantity_fault(const Scene<dim>& scene) {
+  const bool without = dim == 2 && scene.solve.dual == Dual::local;
+  constexpr const char* why = "takes the factors of solve.dual = \"hybrid\": write that, in place of \"local\"";
+  if (without && !scene.quantities.empty())
+    return Fault{{"quantity", "0"}, fmt::format("[[quantity]] {}", why), scene.quantities[0].where};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scene.quantities.size(); ++i) {
     const Quantity<dim>& quantity = scene.quantities[i];
@@ -63,6 +67,7 @@ template <int dim> std::optional<Fault> quantity_fault(const Scene<dim>& scene) 
       return Fault{key, fmt::format("two contacts are called '{}'", pair.name), pair.where};
     if (pair.zones < 0)
       return Fault{key, fmt::format("contact.zones must not be negative, is {}", pair.zones), pair.where};
+    if (without && pair.zones > 0) return Fault{key, fmt::format("contact.zones {}", why), pair.where};
     if (dim == 3 && pair.zones > 0)
       return Fault{key, "contact.zones are stretches of lines; in space there are none: leave it out", pair.where};
   }

@@ -146,8 +146,9 @@ struct Refine {
 };
 
 struct Solve {
-  int degree = 2;            ///< of the displacements, 1 to 4; stresses have one less, at least 1
-  Dual dual = Dual::hybrid;  ///< in space local, the only one there
+  int degree = 2;                  ///< of the displacements, 1 to 4; stresses have one less, at least 1
+  Dual dual = Dual::hybrid;        ///< in space local, the only one there
+  std::optional<int> sweeps = {};  ///< of local stresses, 1 to 100; nothing: sweeps_for() the mesh's common_flatness()
 };
 template <int dim> Solve default_solve() { return {2, dim == 2 ? Dual::hybrid : Dual::local}; }
 
@@ -156,6 +157,13 @@ template <int dim> Solve default_solve() { return {2, dim == 2 ? Dual::hybrid : 
 /// first mesh: a fine one costs a high degree
 ///     more than it gains
 int degree_for(double target, double cells);
+/// How often local stresses are swept where nothing says it: where cells are flat each sweep does less. After so many
+/// plates of cells up to 10 : 1 had intervals at most 1.25 times as wide as with the stresses of least S
+/// (docs/theory.md §12.5).
+int sweeps_for(double flatness);
+/// Cells that are flatter need more than one.
+inline constexpr double flat = 5;
+
 /// The bulk (see Refine) that does so for a degree.
 double bulk_for(int degree);
 

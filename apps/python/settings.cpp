@@ -35,7 +35,8 @@ void set_refine(scene::Scene<2>& scene, const std::optional<std::string>& strate
 }
 
 void set_solve(scene::Scene<2>& scene, const std::optional<std::variant<int, std::string>>& degree,
-               const std::optional<std::string>& dual) {
+               const std::optional<std::string>& dual, const std::optional<int>& sweeps) {
+  if (sweeps) scene.solve.sweeps = sweeps;
   if (dual) scene.solve.dual = option_of<scene::Dual>(*dual, "dual");
   if (!degree) return;
   if (const int* number = std::get_if<int>(&*degree)) {
@@ -46,7 +47,7 @@ void set_solve(scene::Scene<2>& scene, const std::optional<std::variant<int, std
     throw py::value_error(fmt::format("degree must be an integer from 1 to 4 or \"auto\", is \"{}\"", word));
   scene::Refine& refine = scene.refine;
   const bool bulk_is_default = refine.bulk == scene::bulk_for(scene.solve.degree);
-  const bool linear_stresses = scene.solve.dual == scene::Dual::uzawa || scene::has_coulomb(scene);
+  const bool linear_stresses = scene.solve.dual != scene::Dual::hybrid || scene::has_coulomb(scene);
   scene.solve.degree = linear_stresses ? 2 : scene::degree_for(refine.target, scene::cells_of(scene));
   if (bulk_is_default) refine.bulk = scene::bulk_for(scene.solve.degree);
 }
@@ -81,8 +82,10 @@ void add_settings(py::class_<scene::Scene<2>>& scene) {
            "quantities on each mesh.")
       .def(
           "set_solve", set_solve, py::kw_only(), py::arg("degree") = none, py::arg("dual") = none,
+          py::arg("sweeps") = none,
           "degree: of the displacements, 1 to 4, or \"auto\": the one that comes to the target, on the mesh, that the\n"
-          "scene has by now at about the least cost. dual: \"hybrid\" or \"uzawa\".")
+          "scene has by now at about the least cost. dual: \"hybrid\", \"uzawa\" or \"local\".\n"
+          "sweeps: of \"local\" stresses; left out, as the shape of the cells asks.")
       .def("check", scene::check<2>, "Raises Error for the first fault that can be seen without the mesh.")
       .def("mesh", mesh_of, py::arg("refinements") = 0,
            "The mesh that runs begin with, for another program, as `bracket mesh` writes it: contact sides are cut\n"

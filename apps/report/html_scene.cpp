@@ -155,6 +155,7 @@ template <int dim> std::string settings(const scene::Scene<dim>& scene) {
                      {"refine.max_cells", fmt::to_string(refine.max_cells)},
                      {"refine.max_seconds", fmt::to_string(refine.max_seconds)}};
   rows.insert(rows.end(), more.begin(), more.end());
+  if (scene.solve.sweeps) rows.push_back({"solve.sweeps", fmt::to_string(*scene.solve.sweeps)});
   return html_table({"setting", "value"}, rows, 1, "Settings, defaults filled in");
 }
 

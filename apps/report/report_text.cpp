@@ -57,9 +57,9 @@ template <int dim> std::string seconds_table(const ReportOf<dim>& report) {
   return text + fmt::format(
                     "  ({}); mesh {:.2f}, estimate {:.2f}, certify {:.2f}, quantities {:.2f},\n  write {:.2f}, "
                     "pictures {:.2f}\n",
-                    dim == 2 ? "side by side" : "one after the other", sum("seconds_mesh", report),
-                    sum("seconds_estimate", report), sum("seconds_certify", report), sum("seconds_quantities", report),
-                    sum("seconds_write", report), report.pictures);
+                    report.scene.solve.dual == scene::Dual::local ? "one after the other" : "side by side",
+                    sum("seconds_mesh", report), sum("seconds_estimate", report), sum("seconds_certify", report),
+                    sum("seconds_quantities", report), sum("seconds_write", report), report.pictures);
 }
 
 /// How the contact was found, and whether that was hard.

@@ -1,4 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 
 #include "scene/mesh/angles.h"
@@ -43,6 +46,31 @@ template <int dim> Quality quality(const Mesh<dim>& mesh) {
   return result;
 }
 
+template <int dim> std::vector<double> flatness(const Mesh<dim>& mesh) {
+  std::vector<double> result;
+  for (const auto& cell : mesh.cells) {
+    const auto x = positions(mesh, cell);
+    double longest = 0, largest = 0;  // edge, and facet: by its height, dim times the volume
+    for (const auto& [i, j] : Simplex<dim>::edges) longest = std::max(longest, (x[j] - x[i]).norm());
+    for (const auto& facet : Simplex<dim>::facets) {
+      std::array<Vector<dim>, dim> corners;
+      for (int k = 0; k < dim; ++k) corners[k] = x[facet[k]];
+      largest = std::max(largest, area_vector<dim>(corners).norm());
+    }
+    result.push_back(longest * largest / (dim * volume<dim>(x) * std::sqrt(dim - 1.0)));
+  }
+  return result;
+}
+
+double common_flatness(std::vector<double> flatness) {
+  if (flatness.empty()) return 0;
+  const auto at = flatness.begin() + static_cast<std::ptrdiff_t>((flatness.size() - 1) / 100);
+  std::ranges::nth_element(flatness, at, std::greater<>());
+  return *at;
+}
+
+template std::vector<double> flatness(const Mesh<2>&);
+template std::vector<double> flatness(const Mesh<3>&);
 template double volume(const Mesh<2>&, int);
 template double volume(const Mesh<3>&, int);
 template double length(const Mesh<2>&, int);

@@ -188,16 +188,17 @@ template <int dim> bool has_target(const Scene<dim>& scene) {
 
 /// \param scene what is read so far: all that "auto" depends on
 template <int dim> Solve read_solve(const toml::table& entry, const Scene<dim>& scene) {
-  check_keys(entry, "[solve]", {"degree", "dual"});
+  check_keys(entry, "[solve]", {"degree", "dual", "sweeps"});
   Solve solve = default_solve<dim>();
   if (const toml::node* node = entry.get("dual")) solve.dual = choice<Dual>(*node, "solve.dual");
+  if (const toml::node* node = entry.get("sweeps")) solve.sweeps = integer(*node, "solve.sweeps");
   const toml::node* degree = entry.get("degree");
   if (!degree) return solve;
   if (!degree->is_string())
     solve.degree = integer(*degree, "solve.degree");
   else if (text(*degree, "solve.degree") != "auto")
     refuse(*degree, fmt::format("solve.degree must be an integer from 1 to {} or \"auto\"", largest_degree));
-  else if (dim == 2 && solve.dual != Dual::uzawa && !has_coulomb(scene))  // these have linear stresses
+  else if (dim == 2 && solve.dual == Dual::hybrid && !has_coulomb(scene))  // the others have linear stresses
     solve.degree = degree_for(scene.refine.target, cells_of(scene));
   return solve;
 }

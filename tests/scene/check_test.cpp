@@ -101,6 +101,17 @@ std::vector<Wrong> of_settings() {
          s.solve.dual = Dual::uzawa;
        },
        {"solve.dual = \"uzawa\"", "solve.degree is 3", "\"hybrid\""}},
+      {[](auto& s) {
+         s.solve.degree = 3;
+         s.solve.dual = Dual::local;
+       },
+       {"solve.dual = \"local\"", "degree 2", "solve.degree is 3", "\"hybrid\""}},
+      {[](auto& s) { s.solve.sweeps = 1; }, {"solve.sweeps", "\"local\"", "\"hybrid\"", "leave them out"}},
+      {[](auto& s) {
+         s.solve.dual = Dual::local;
+         s.solve.sweeps = 0;
+       },
+       {"solve.sweeps must be from 1 to 100, is 0"}},
       {[](auto& s) { s.solve.degree = 0; }, {"solve.degree"}},
       {[](auto& s) { s.refine.bulk = -3; }, {"refine.bulk must lie in (0, 1], is -3"}},
       {[](auto& s) { s.refine.bulk = 0; }, {"refine.bulk"}},
@@ -122,6 +133,18 @@ void expect_fault(const std::function<void()>& action, const std::vector<std::st
   EXPECT_EQ(std::string(error->what()).find('\n'), std::string::npos) << error->what();
   for (const std::string& part : named)
     EXPECT_NE(std::string(error->what()).find(part), std::string::npos) << part << ": " << error->what();
+}
+
+TEST(Check, StressesBuiltLocallyHaveNoQuantities) {
+  Scene<2> scene = right();
+  scene.solve.dual = Dual::local;
+  EXPECT_NO_THROW(check(scene));
+  Scene<2> asks = scene, zones = scene;
+  asks.quantities.push_back({.name = "e", .kind = QuantityKind::energy});
+  expect_fault([&] { check(asks); }, {"[[quantity]]", "solve.dual = \"hybrid\""});
+  zones.contact.push_back({"b.bottom", "a.top", constant(0)});
+  zones.contact.back().zones = 2;
+  expect_fault([&] { check(zones); }, {"contact.zones", "solve.dual = \"hybrid\""});
 }
 
 // By check(), and by whatever would otherwise go on with it: build_mesh() with all of them, fix_data(), which is given

@@ -82,7 +82,10 @@ Scene<2> blocks(Law law, std::optional<Function<2>> value, bool lifts_off = true
 TEST(ContactLaws, InCodeAreCheckedLikeInFiles) {
   Scene<2> uzawa = blocks(Law::bilateral, {});
   uzawa.solve.dual = Dual::uzawa;
+  Scene<2> local = blocks(Law::tresca, constant(1));
+  local.solve.dual = Dual::local;
   const std::vector<std::pair<Scene<2>, std::string>> wrong = {
+      {local, "\"frictionless\" and \"bilateral\" only; for 'tresca' write solve.dual = \"hybrid\""},
       {uzawa, "frictionless contact only; for 'bilateral' write solve.dual = \"hybrid\""},
       {blocks(Law::bonded, {}), "cannot be bonded"},
       {blocks(Law::winkler, {}), "has no value"},

@@ -190,5 +190,39 @@ TEST(Blocks, OfOneBodyThatDoNotHangTogetherAreRefused) {
   }
 }
 
+// Of rectangles a : 1 cut in two a + 1/a, whatever their size is.
+TEST(Flatness, IsThatOfRectanglesAndWarnsOfLocalStresses) {
+  for (const double ratio : {1.0, 2.0, 5.0, 50.0})
+    for (const double size : {1e-6, 1.0, 1e6}) {
+      Scene<2> scene;
+      scene.blocks = {{"b", {{{0, 20 * size}, {-size, size}}}, {10, static_cast<int>(ratio)}, ""}};
+      scene.bodies = {{"b", isotropic<2>(1, 0.3, Plane::strain)}};
+      const Mesh<2> mesh = build_mesh(scene);
+      for (const double one : flatness(mesh)) EXPECT_NEAR(one, ratio + 1 / ratio, 1e-10 * ratio);
+      EXPECT_TRUE(mesh.notes.empty());
+      scene.solve = {.dual = Dual::local};
+      const Mesh<2> local = build_mesh(scene);
+      ASSERT_EQ(local.notes.size(), ratio >= 5 ? 1u : 0u) << ratio;
+      if (ratio < 5) continue;
+      EXPECT_NE(local.notes[0].find(ratio == 50 ? "swept 8 times;" : "swept 2 times;"), std::string::npos)
+          << local.notes[0];
+      scene.solve.sweeps = 3;
+      EXPECT_NE(build_mesh(scene).notes[0].find("swept 3 times, as asked"), std::string::npos);
+    }
+}
+
+TEST(Flatness, IsThatOfAHundredthOfTheCells) {
+  std::vector<double> of(1000, 2.0);
+  EXPECT_EQ(common_flatness({}), 0);
+  EXPECT_EQ(common_flatness({3}), 3);
+  for (int i = 0; i < 9; ++i) of[100 * i] = 50;
+  EXPECT_EQ(common_flatness(of), 2);
+  of[999] = 50;
+  EXPECT_EQ(common_flatness(of), 50);
+  EXPECT_EQ(sweeps_for(2), 1);
+  EXPECT_EQ(sweeps_for(flat), 1);
+  for (double flatness = 1; flatness < 100; ++flatness) EXPECT_LE(sweeps_for(flatness), sweeps_for(flatness + 1));
+}
+
 }  // namespace
 }  // namespace bracket::scene

@@ -61,5 +61,74 @@ TEST(LocalInSpace, is_little_wider_than_the_best_after_one_sweep) {
   }
 }
 
+/// A block in a trough, pressed on its floor and its wall, from which a wedge of gap parts it.
+scene::Scene<3> in_a_trough(double poisson) {
+  scene::Scene<3> s;
+  s.blocks = {block("block", {0, 1}, {0, 1}, {0, 1}, {3, 3, 3}), block("trough", {0, 1}, {-1, 0}, {0, 1}, {3, 3, 3}),
+              block("trough", {-1, 0}, {-1, 0}, {0, 1}, {3, 3, 3}),
+              block("trough", {-1, 0}, {0, 1}, {0, 1}, {3, 3, 3})};
+  s.blocks[1].name = "floor";
+  s.blocks[2].name = "corner";
+  s.blocks[3].name = "wall";
+  s.bodies = {{"block", isotropic(1, poisson)}, {"trough", isotropic(1, poisson)}};
+  s.boundary = {{"trough.corner.bottom", fixed()},
+                {"trough.floor.bottom", fixed()},
+                {"block.back", sliding()},
+                {"block.top", traction(-0.03, -0.1, 0.0)}};
+  s.contact = {{"block.bottom", "trough.floor.top", 0.0, ""},
+               {"block.left", "trough.wall.right", scene::enclosed<3>([](const auto& x) { return 0.01 * x[1]; }), ""}};
+  return s;
+}
+
+/// Moduli 1 : 1000, sides that overlap, a clamped side beside the contact, weight.
+scene::Scene<3> unlike_moduli(double poisson) {
+  scene::Scene<3> s;
+  s.blocks = {block("lower", {0, 1}, {0, 1}, {0, 1}, {3, 3, 3}), block("upper", {0, 1}, {1, 2}, {0, 1}, {3, 3, 3})};
+  s.bodies = {{"lower", isotropic(1, poisson)}, {"upper", isotropic(1000, poisson)}};
+  s.bodies.at("lower").force = {0, -0.05, 0.02};
+  s.boundary = {{"lower.left", fixed()},
+                {"lower.bottom", sliding()},
+                {"upper.right", sliding()},
+                {"upper.back", sliding()},
+                {"upper.top", traction(0.0, scene::enclosed<3>([](const auto& x) { return 0.2 * x[0] - 0.2; }), 0.0)}};
+  s.contact = {{"upper.bottom", "lower.top", -0.001, ""}};
+  return s;
+}
+
+/// Cells 5 : 1, in two layers; clamped at a side and bent.
+scene::Scene<3> bent_plate(double poisson) {
+  scene::Scene<3> s;
+  s.blocks = {block("b", {0, 1}, {0, 1}, {0, 0.08}, {5, 5, 2})};
+  s.bodies = {{"b", isotropic(1, poisson)}};
+  s.boundary = {{"b.left", fixed()}, {"b.front", traction(0.0, 0.0, -0.1)}};
+  return s;
+}
+scene::Scene<3> plate_on_a_wall(double poisson) {
+  scene::Scene<3> s = on_a_wall(5, poisson);
+  s.blocks = {block("b", {0, 1}, {0, 1}, {0, 0.04}, {5, 5, 1})};
+  return s;
+}
+
+TEST(LocalInSpace, ridges_unlike_moduli_and_flat_cells_cost_little_more) {
+  struct Case {
+    std::string name;
+    scene::Scene<3> (*scene)(double poisson);
+    int sweeps;
+    double most;
+  };
+  for (const double poisson : {0.3, 0.4999})
+    for (const auto& [name, scene, sweeps, most] :
+         {Case{"ridge", in_a_trough, 1, 1.18}, Case{"moduli 1 : 1000", unlike_moduli, 1, 1.28},
+          Case{"bent plate", bent_plate, 2, 1.4}, Case{"plate on a wall", plate_on_a_wall, 2, 1.4}}) {
+      const scene::Scene<3> made = scene(poisson);
+      EXPECT_EQ(scene::sweeps_for(scene::common_flatness(scene::flatness(scene::build_mesh(made)))), sweeps) << name;
+      const Sharpness found = sharpness(made, sweeps);
+      EXPECT_LE(found.width.back(), most) << name << ", " << poisson;
+      for (std::size_t i = 1; i < found.width.size(); ++i)
+        EXPECT_LE(found.width[i], found.width[i - 1] * (1 + 1e-12)) << name;
+      EXPECT_GE(found.least_pressure, -1e-13) << name;
+    }
+}
+
 }  // namespace
 }  // namespace bracket

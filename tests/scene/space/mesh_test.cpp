@@ -244,5 +244,19 @@ TEST(GivenInSpace, IsAsTheBlocksAre) {
   expect_error([&] { build_mesh(bad); }, Status::mesh, {"the cell 3", "4711"});
 }
 
+// Of boxes a : a : 1 cut in six √(2 a² + 1) √(a² + 1) / (a √2), by the largest face's height.
+TEST(Boxes, AreAsFlatAsTheirSides) {
+  for (const double ratio : {1.0, 5.0, 50.0}) {
+    Scene<3> scene;
+    scene.blocks = {{"b", {{{0, 2 * ratio}, {0, ratio}, {0, 3}}}, {2, 1, 3}, ""}};
+    scene.bodies = {{"b", isotropic<3>(1, 0.3, Plane::strain)}};
+    const Mesh<3> mesh = build_mesh(scene);
+    const double square = ratio * ratio;
+    for (const double one : flatness(mesh))
+      EXPECT_NEAR(one, std::sqrt((2 * square + 1) * (square + 1) / (2 * square)), 1e-10 * ratio);
+    EXPECT_EQ(mesh.notes.size(), ratio >= 5 ? 1u : 0u);
+  }
+}
+
 }  // namespace
 }  // namespace bracket::scene
