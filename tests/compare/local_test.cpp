@@ -190,5 +190,20 @@ TEST(LocalRun, follows_arcs) {
   EXPECT_EQ(outcome.levels.size(), 3u);
 }
 
+TEST(LocalRun, refuses_problems_with_springs_or_friction) {
+  const scene::Scene<2> scene = local(tests::two_blocks(4), scene::Strategy::none, 1);
+  for (const scene::FacetLaw& law : {scene::FacetLaw{.modulus = {1, 1}}, scene::FacetLaw{.friction = {0, 1}}}) {
+    Problem<2> problem = tests::problem(scene);
+    problem.contact[0].law = law;
+    try {
+      bounds::run(scene, std::move(problem));
+      ADD_FAILURE() << "accepted";
+    } catch (const scene::Error& error) {
+      EXPECT_EQ(error.status(), scene::Status::input);
+      EXPECT_NE(std::string(error.what()).find("solve.dual = \"hybrid\""), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bracket
