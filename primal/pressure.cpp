@@ -4,6 +4,7 @@
 
 #include "primal/approach.h"
 #include "primal/factorised.h"
+#include "scene/problem/law.h"
 
 namespace bracket::primal {
 
