@@ -137,38 +137,43 @@ template <int dim> typename StarSystem<dim>::Solution StarSystem<dim>::solve(con
     loads += response_[c] * slope;
   }
   // Rounding of the cells' stiffness leaves a balance worth less than the loads' last digits: what is lacking is handed
-  // out in the same way, until what that can leave in turn is below these, or it is of no more use.
-  double before = handed_out(data, found), change = handed_out(data, found);
-  const auto last_digit = [&] {
-    double largest = 0;
-    for (const Spokes& loads : found.loads) largest = std::max(largest, loads.template lpNorm<Eigen::Infinity>());
-    return std::numeric_limits<double>::epsilon() * largest;
-  };
-  while (change < before / 2 && change / before * change > last_digit()) {
-    before = change;
-    change = handed_out(data, found);
+  // out in the same way, until that is of no more use.
+  double before = handed_out(data, found), lacking = handed_out(data, found);
+  while (lacking > 0 && lacking < before / 2) {
+    before = lacking;
+    lacking = handed_out(data, found);
   }
   return found;
 }
 
 /// Hands out what the loads of a solution lack, in two steps: to each cell by itself, then between them.
-/// \return the largest change of a load
+/// \return the largest load or resultant (moments by the star's size) that was lacking; 0: none that is more than
+///     rounding of their sums, and nothing was done between the cells
 template <int dim> double StarSystem<dim>::handed_out(const StarData<dim>& data, Solution& found) const {
   constexpr int one = n_facet_loads<dim>;
-  double largest = 0;
+  double lacking = 0, largest = 0;
   std::vector<FacetVector<dim>> right(matrix_.size());
   for (std::size_t f = 0; f < unknown_.size(); ++f)
     if (unknown_[f] >= 0) right[unknown_[f]] = data.sum[f];
-  const std::vector<Spokes> before = found.loads;
   for (std::size_t c = 0; c < response_.size(); ++c) {
-    add_shortest(c, data.resultant[c] - balance_[c].lazyProduct(found.loads[c]), found.loads[c]);
+    const Resultant rest = data.resultant[c] - balance_[c].lazyProduct(found.loads[c]);
+    lacking = std::max(
+        {lacking, rest.template head<dim>().template lpNorm<Eigen::Infinity>(),
+         rest.template tail<scene::Simplex<dim>::n_rotations>().template lpNorm<Eigen::Infinity>() / star_.size()});
+    add_shortest(c, rest, found.loads[c]);
+    largest = std::max(largest, found.loads[c].template lpNorm<Eigen::Infinity>());
     for (int i = 0; i < dim; ++i)
       if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0)
         right[f] -= found.loads[c].template segment<one>(one * i);
   }
-  for (std::size_t f = 0; f < unknown_.size(); ++f)
-    if (unknown_[f] >= 0) make_tangential(static_cast<int>(f), right[unknown_[f]]);
-  if (!right.empty()) matrix_.solve(right);
+  for (std::size_t f = 0; f < unknown_.size(); ++f) {
+    if (unknown_[f] < 0) continue;
+    make_tangential(static_cast<int>(f), right[unknown_[f]]);
+    lacking = std::max(lacking, right[unknown_[f]].template lpNorm<Eigen::Infinity>());
+  }
+  constexpr double rounding = n_spoke_loads<dim> * std::numeric_limits<double>::epsilon();
+  if (right.empty() || lacking <= rounding * largest) return 0;
+  matrix_.solve(right);
   for (std::size_t f = 0; f < unknown_.size(); ++f) {
     if (unknown_[f] < 0) continue;
     make_tangential(static_cast<int>(f), right[unknown_[f]]);
@@ -179,9 +184,8 @@ template <int dim> double StarSystem<dim>::handed_out(const StarData<dim>& data,
     for (int i = 0; i < dim; ++i)
       if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0) added.template segment<one>(one * i) = right[f];
     found.loads[c] += response_[c] * added;
-    largest = std::max(largest, (found.loads[c] - before[c]).template lpNorm<Eigen::Infinity>());
   }
-  return largest;
+  return lacking;
 }
 
 template <int dim>
