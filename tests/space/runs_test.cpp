@@ -99,6 +99,18 @@ TEST(RunInSpace, a_body_on_a_wall_lifts_off_whatever_its_poisson_s_ratio) {
   }
 }
 
+// Contacts press that no load asks for: they hold the body all the same. A bar shortened by 0.03.
+TEST(RunInSpace, a_body_squeezed_between_walls_is_held_by_them) {
+  scene::Scene<3> s;
+  s.blocks = {block("bar", {0, 1}, {0, 1}, {0, 1}, {2, 1, 1})};
+  s.bodies = {{"bar", isotropic(1, 0.3)}};
+  s.contact = {{"bar.left", "rigid", -0.01, ""}, {"bar.right", "rigid", -0.02, ""}};
+  const auto outcome = bounds::run(refined(s, scene::Strategy::uniform, 3));
+  expect_sound(outcome);
+  expect_contains(outcome, 0.03 * 0.03 / 2, 0.03 * 0.03 / 2);
+  EXPECT_LE(outcome.upper - outcome.lower, 1e-12);
+}
+
 TEST(RunInSpace, what_nothing_holds_is_named) {
   scene::Scene<3> scene = two_blocks(2);
   scene.boundary.at("upper.top") = traction(0.0, 0.1, 0.0);

@@ -12,13 +12,14 @@ PlainLoads assumed_loads(const scene::Problem<3>& first) {
   return assumed;
 }
 
-bool corrections_vanish(const scene::Problem<3>& problem, const std::vector<char>& carrying) {
+std::optional<int> vanishing_corrections(const scene::Problem<3>& problem, const std::vector<char>& carrying) {
   const scene::Problem<3>& first = scene::first_of(problem);
-  if (first.corrections.empty()) return true;
+  if (first.corrections.empty()) return 0;
   const int unheld = unheld_motions(first, carrying);
   std::vector<char> either = carrying;
   for (std::size_t pair = 0; pair < either.size(); ++pair) either[pair] |= first.carries[pair];
-  return static_cast<int>(first.corrections.size()) == unheld && unheld == unheld_motions(first, either);
+  if (static_cast<int>(first.corrections.size()) < unheld || unheld != unheld_motions(first, either)) return {};
+  return unheld;
 }
 
 }  // namespace bracket::bounds::space

@@ -8,10 +8,11 @@
 /// The true amounts of the corrections that bring the loads into balance.
 namespace bracket::bounds::space {
 
-/// Whether the multiples of corrections that held() finds are zero exactly once the loads carry their own: there are as
-/// many as motions on which no support and no pair that carries acts, and on none of these acts a pair that the
-/// corrections counted on. Then each such motion gains nothing from the loads and meets the corrections alone.
-bool corrections_vanish(const scene::Problem<3>& problem, const std::vector<char>& carrying);
+/// How many corrections held() is to take so that its multiples of them are zero exactly once the loads carry their
+/// own: as many as there are motions on which no support and no pair that carries acts. Each such motion gains nothing
+/// from the loads and meets the corrections alone, as long as on none of them acts a pair that the corrections counted
+/// on. \return nothing where one does, or where there are not as many
+std::optional<int> vanishing_corrections(const scene::Problem<3>& problem, const std::vector<char>& carrying);
 
 /// The loads on the first mesh that held() may spread: unit pressures where the corrections count on a pair.
 PlainLoads assumed_loads(const scene::Problem<3>& first);
@@ -28,14 +29,15 @@ template <class Number, class Sum> Corrections<Number> corrected(const scene::Pr
   if (first.corrections.empty()) return {};
   const PlainLoads assumed = assumed_loads(first);
   const Rows rows = rows_of(first);
-  const Loads<Number> loads = loads_of<Number>(first, no_loads(first), {});
-  const auto found =
-      held<Number, Sum>(first, references(first.mesh), rows, spreads(first, rows, assumed, 0, {}), loads);
-  if (!found || !corrections_vanish(first, carrying_pairs(first, assumed)))
-    return {{}, "the corrections of the loads do not bring a body that nothing holds into balance"};
+  const std::vector<Reference> about = references(first.mesh);
+  const std::vector<Spread> all = spreads(first, rows, assumed, 0, {});
+  const auto count = vanishing_corrections(first, carrying_pairs(first, assumed));
+  const std::vector<int> taken = chosen_corrections(first, about, rows, all, count.value_or(0));
+  const auto found = held<Number, Sum>(first, about, rows, all, taken, loads_of<Number>(first, no_loads(first), {}));
+  if (!found || !count) return {{}, "the corrections of the loads do not bring a body that nothing holds into balance"};
   Corrections<Number> result;
-  for (std::size_t k = 0; k < first.corrections.size(); ++k) {
-    const auto& [facet, unit] = first.corrections[k];
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const auto& [facet, unit] = first.corrections[taken[k]];
     const Number& own = found->correction[k];
     if (first.facets[facet].support == scene::Support::traction) {
       FacetVectors<Number> load;

@@ -74,10 +74,11 @@ Balanced<Number> balanced(const scene::Problem<3>& problem, const std::vector<Fa
     Loads<Number> loads = loads_of<Number>(problem, given, corrections);
     std::vector<Spread> changed;
     std::optional<Held<Number>> found;
-    if (round < most && corrections_vanish(problem, carrying_pairs(problem, given)))
+    if (const auto count = vanishing_corrections(problem, carrying_pairs(problem, given)); round < most && count)
       for (const double least : {0.0, 1e-4}) {
         changed = spreads(problem, rows, given, least, barred);
-        found = held<Number, Sum>(problem, about, rows, changed, loads);
+        const std::vector<int> taken = chosen_corrections(problem, about, rows, changed, *count);
+        found = held<Number, Sum>(problem, about, rows, changed, taken, loads);
         if (found) break;
       }
     if (!found) {

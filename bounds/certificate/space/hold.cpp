@@ -2,6 +2,7 @@
 #include "bounds/certificate/space/hold.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace bracket::bounds::space {
 
@@ -65,6 +66,40 @@ std::vector<Spread> spreads(const scene::Problem<3>& problem, const Rows& rows, 
     }
   }
   return result;
+}
+
+std::vector<int> chosen_corrections(const scene::Problem<3>& problem, const std::vector<Reference>& about,
+                                    const Rows& rows, const std::vector<Spread>& spreads, int count) {
+  const scene::Problem<3>& first = scene::first_of(problem);
+  std::vector<int> chosen(first.corrections.size());
+  std::iota(chosen.begin(), chosen.end(), 0);
+  if (count == static_cast<int>(chosen.size()) || rows.count == 0) return chosen;
+  const auto columns = [&](std::size_t n) { return Eigen::MatrixXd::Zero(rows.count, static_cast<Eigen::Index>(n)); };
+  const auto put = [](Eigen::MatrixXd& matrix, int row, std::size_t column, const std::array<double, 6>& entry) {
+    for (int i = 0; i < 6 && row >= 0; ++i) matrix(row + i, static_cast<Eigen::Index>(column)) += entry[i];
+  };
+  Eigen::MatrixXd of_spreads = columns(std::max<std::size_t>(1, spreads.size())), rest = columns(chosen.size());
+  for (std::size_t s = 0; s < spreads.size(); ++s) {
+    const auto& [row, entry] = effect<double>(problem, about, rows, spreads[s]);
+    for (int side = 0; side < 2; ++side) put(of_spreads, row[side], s, entry[side]);
+  }
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    const auto& [facet, unit] = first.corrections[k];
+    put(rest, rows.of_body[first.mesh.cell_component[first.mesh.boundary[facet].cell]], k,
+        entries_of_load<double>(first, about, facet,
+                                {vector3<double>(unit[0]), vector3<double>(unit[1]), vector3<double>(unit[2])}));
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(of_spreads);
+  qr.setThreshold(1e-9);  // as scene::free_motions()
+  const Eigen::MatrixXd q = qr.householderQ();
+  const Eigen::MatrixXd beside = q.rightCols(rows.count - qr.rank()).transpose() * rest;
+  if (beside.rows() > 0) {
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> order(beside);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      chosen[k] = static_cast<int>(order.colsPermutation().indices()[static_cast<Eigen::Index>(k)]);
+  }
+  chosen.resize(count);
+  return chosen;
 }
 
 bool drop_barred_pairs(const scene::Problem<3>& problem, const std::set<Corner>& barred, PlainLoads& loads) {

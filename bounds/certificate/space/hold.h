@@ -107,16 +107,22 @@ std::vector<Number> totals(const scene::Problem<3>& problem, const std::vector<R
   return result;
 }
 
+/// Of the first mesh's corrections, `count` that with the spreads hold the bodies; of those that do not, whichever.
+/// \pre count ≤ their number
+std::vector<int> chosen_corrections(const scene::Problem<3>& problem, const std::vector<Reference>& about,
+                                    const Rows& rows, const std::vector<Spread>& spreads, int count);
+
 /// Multiples of the spreads (W Hᵀ y) and of the corrections that bring the bodies into balance.
 template <class Number> struct Held { std::vector<Number> spread, correction; };
 /// With H the effects of the spreads, C those of the corrections, W the weights and r the totals
 ///     H W Hᵀ y + C c = −r,     Cᵀ y = 0.
-/// \return nothing where that may be singular
+/// \param corrections which of the first mesh's   \return nothing where that may be singular
 template <class Number, class Sum>
 std::optional<Held<Number>> held(const scene::Problem<3>& problem, const std::vector<Reference>& about,
-                                 const Rows& rows, const std::vector<Spread>& spreads, const Loads<Number>& loads) {
+                                 const Rows& rows, const std::vector<Spread>& spreads,
+                                 const std::vector<int>& corrections, const Loads<Number>& loads) {
   const scene::Problem<3>& first = scene::first_of(problem);
-  const std::size_t own = rows.count, n = own + first.corrections.size();
+  const std::size_t own = rows.count, n = own + corrections.size();
   std::vector<std::vector<Number>> matrix(n, std::vector<Number>(n, Number(0)));
   std::vector<Effect<Number>> effects;
   for (const Spread& one : spreads) {
@@ -128,8 +134,8 @@ std::optional<Held<Number>> held(const scene::Problem<3>& problem, const std::ve
           for (int j = 0; j < 6; ++j) matrix[row[a] + i][row[b] + j] += weighted * entry[b][j];
         }
   }
-  for (std::size_t k = 0; k < first.corrections.size(); ++k) {
-    const auto& [facet, unit] = first.corrections[k];
+  for (std::size_t k = 0; k < corrections.size(); ++k) {
+    const auto& [facet, unit] = first.corrections[corrections[k]];
     const int row = rows.of_body[first.mesh.cell_component[first.mesh.boundary[facet].cell]];
     if (row < 0) return {};  // nothing is to be corrected there
     const auto column = entries_of_load<Number>(
