@@ -7,6 +7,7 @@
 
 #include "bounds/certificate/functional.h"
 #include "bounds/certificate/open_contact.h"
+#include "bounds/certificate/space/functional.h"
 #include "bounds/free_motions.h"
 #include "bounds/quantities/line.h"
 #include "scene/text.h"
@@ -45,6 +46,16 @@ std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2
   return result;
 }
 
+/// In space no lines, and no stretches of them.
+std::vector<Asked<3>> zones(const scene::Scene<3>&, const scene::Problem<3>&, int) { return {}; }
+
+scene::Problem<2> alone(const scene::Problem<2>& problem, const std::shared_ptr<const scene::Perturbation<2>>& by) {
+  return perturbation_alone(problem, by, problem.carries);
+}
+scene::Problem<3> alone(const scene::Problem<3>& problem, const std::shared_ptr<const scene::Perturbation<3>>& by) {
+  return space::perturbation_alone(problem, by, problem.carries);
+}
+
 /// One of the motions alone that does it, for people to see. \param rows, limits as for contact::balance()
 std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const contact::Limits& limits,
                                         const Eigen::VectorXd& work, double rounding) {
@@ -61,12 +72,13 @@ std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const conta
 /// Motions y that the supports leave, that open contacts or leave them, G y ≤ 0, and are free of work, eᵀy = 0: the
 /// solution may be moved by them, and with it Q by Q(y). By Farkas' lemma there is none with Q(y) > 0 if and only if
 /// Gᵀp − τ e = q for some p ≥ 0, τ ≥ 0; with friction, if and only if e + q/τ can be held for some τ.
-Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_ptr<const scene::Perturbation<2>>& by) {
-  const FreeMotions<2> all = all_free_motions(problem);
+template <int dim>
+Undetermined undetermined(const scene::Problem<dim>& problem,
+                          const std::shared_ptr<const scene::Perturbation<dim>>& by) {
+  const FreeMotions<dim> all = all_free_motions(problem);
   Undetermined result;
   if (all.motion.empty()) return result;
-  const LoadWork own = load_work(problem, all),
-                 added = load_work(perturbation_alone(problem, by, problem.carries), all);
+  const LoadWork own = load_work(problem, all), added = load_work(alone(problem, by), all);
   if (added.size == 0) return result;
   const auto [contact, limits, friction] = holding(problem, all);
   Eigen::MatrixXd rows(contact.rows() + 1, contact.cols());
@@ -78,7 +90,7 @@ Undetermined undetermined(const scene::Problem<2>& problem, const std::shared_pt
                        (static_cast<double>(problem.mesh.boundary.size() + problem.mesh.cells.size()) + 64);
   const double rounding = terms * added.size;
   // Friction costs energy: a motion free of it is one that loads changed by however little set off.
-  const double held = friction ? limits.upper.tail(contact.rows() - 2 * problem.contact.size()).sum() : 0;
+  const double held = friction ? limits.upper.tail(contact.rows() - dim * problem.contact.size()).sum() : 0;
   const double little = std::max(own.size, held) / added.size * 0x1p-20;
   for (const double sign : {-1.0, 1.0}) {
     const contact::Balance balance = friction ? contact::balance(contact, own.work + sign * little * added.work,
@@ -146,17 +158,19 @@ QuantityInterval on_last_level(const Outcome<dim>& outcome, const scene::Scene<d
                                QuantityInterval interval, const Examined<dim>& examined, bool one_problem) {
   const Level& last = outcome.levels.back();
   const SolvedLevel<dim> solved = solved_level(outcome, examined);
-  if (one.zone >= 0)
-    one.quantity.stretch =
-        zone_stretch(scene.contact[one.contact], scene::first_of(outcome.problem), one.contact, one.zone);
+  if constexpr (dim == 2)
+    if (one.zone >= 0)
+      one.quantity.stretch =
+          zone_stretch(scene.contact[one.contact], scene::first_of(outcome.problem), one.contact, one.zone);
   auto found = evaluate(scene, one.quantity, solved, one.undetermined, one.learned);
-  if (one.quantity.kind == QuantityKind::force && one.quantity.stretch) {
-    // What is open for sure carries little, whatever its weight's ramps reach.
-    const auto line = contact_lines(scene::first_of(outcome.problem), one.contact).at(0);
-    const auto chosen = on_stretch(outcome.problem, line, *one.quantity.stretch);
-    found.level.upper =
-        std::min(found.level.upper, force_at_most(outcome.problem, outcome.displacement, last.certificate, chosen));
-  }
+  if constexpr (dim == 2)
+    if (one.quantity.kind == QuantityKind::force && one.quantity.stretch) {
+      // What is open for sure carries little, whatever its weight's ramps reach.
+      const auto line = contact_lines(scene::first_of(outcome.problem), one.contact).at(0);
+      const auto chosen = on_stretch(outcome.problem, line, *one.quantity.stretch);
+      found.level.upper =
+          std::min(found.level.upper, force_at_most(outcome.problem, outcome.displacement, last.certificate, chosen));
+    }
   one.learned = std::move(found.learned);
   one.indicator = std::move(found.indicator);
   if (!one_problem || interval.levels.empty()) {
@@ -252,21 +266,20 @@ std::string contradiction(const std::vector<QuantityInterval>& quantities) {
   return "";
 }
 
-template QuantityInterval unknown(const Asked<3>&);
-template Targets targets(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
-template std::vector<std::size_t> due(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
-template std::vector<std::size_t> missing(const Outcome<3>&, const std::vector<Asked<3>>&);
-template const Indicator& steering(const Outcome<3>&, const scene::Refine&, const std::vector<Asked<3>>&);
-template struct Asked<2>;
-template std::vector<Asked<2>> asked(const scene::Scene<2>&, const scene::Problem<2>&);
-template QuantityInterval unknown(const Asked<2>&);
-template SolvedLevel<2> solved_level(const Outcome<2>&, const Examined<2>&);
-template QuantityInterval on_last_level(const Outcome<2>&, const scene::Scene<2>&, Asked<2>&, QuantityInterval,
-                                        const Examined<2>&, bool);
-template Targets targets(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
-template std::vector<std::size_t> due(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
-template std::vector<std::size_t> missing(const Outcome<2>&, const std::vector<Asked<2>>&);
-template const Indicator& steering(const Outcome<2>&, const scene::Refine&, const std::vector<Asked<2>>&);
-template bool is_wanting(const Asked<2>&, const QuantityInterval&);
+#define INSTANTIATE(dim)                                                                                            \
+  template struct Asked<dim>;                                                                                       \
+  template std::vector<Asked<dim>> asked(const scene::Scene<dim>&, const scene::Problem<dim>&);                     \
+  template QuantityInterval unknown(const Asked<dim>&);                                                             \
+  template SolvedLevel<dim> solved_level(const Outcome<dim>&, const Examined<dim>&);                                \
+  template QuantityInterval on_last_level(const Outcome<dim>&, const scene::Scene<dim>&, Asked<dim>&,               \
+                                          QuantityInterval, const Examined<dim>&, bool);                            \
+  template Targets targets(const Outcome<dim>&, const scene::Refine&, const std::vector<Asked<dim>>&);              \
+  template std::vector<std::size_t> due(const Outcome<dim>&, const scene::Refine&, const std::vector<Asked<dim>>&); \
+  template std::vector<std::size_t> missing(const Outcome<dim>&, const std::vector<Asked<dim>>&);                   \
+  template const Indicator& steering(const Outcome<dim>&, const scene::Refine&, const std::vector<Asked<dim>>&);    \
+  template bool is_wanting(const Asked<dim>&, const QuantityInterval&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -7,6 +7,7 @@
 
 #include "bounds/certificate/geometry.h"
 #include "bounds/quantities/line.h"
+#include "bounds/quantities/weights.h"
 #include "scene/bernstein.h"
 #include "scene/problem/stretch.h"
 
@@ -26,7 +27,7 @@ struct Tent {
 /// Tents over equally long parts of a line, linear on its edges.
 std::vector<Tent> tents(const Problem<2>& first, const ContactLine& line) {
   constexpr int most = 4;
-  const auto held = held_ends(first);
+  const auto held = held_corners(first);
   const double length = line.arc.back();
   const int parts = std::min(most, static_cast<int>(line.contact.size()));
   std::vector<Tent> result;

@@ -39,22 +39,16 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   Clock clock;
   const auto& problem = meshed.problem;
   Examined<dim> solved;
-  const primal::Solver<dim> solver(problem, scene.solve.degree);
-  solved.primal = solver.solve(problem, meshed.primal_closed);
+  const bool keep = asks_for_quantities(scene);
+  auto solver = std::make_shared<const primal::Solver<dim>>(problem, scene.solve.degree, keep);
+  solved.primal = solver->solve(problem, meshed.primal_closed);
   solved.level.seconds.primal = clock.lap();
   if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
-  primal::PressureResult<dim> start = solver.solve_with_pressure(problem, solved.primal.closed);
-  const double of_pressure = clock.seconds();
-  if (start.termination == contact::Termination::solved) {
-    const int sweeps =
-        scene.solve.sweeps.value_or(scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh))));
-    solved.dual = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
-    solved.dual.statistics.seconds.contact += of_pressure;
-    solved.unsolved = solved.dual.reason;
-  } else {
-    solved.dual.termination = start.termination;
-    solved.dual.reason = solved.unsolved = std::move(start.reason);
-  }
+  const int sweeps =
+      scene.solve.sweeps.value_or(scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh))));
+  solved.dual = local_stresses(*solver, problem, sweeps, solved.primal.closed);
+  solved.unsolved = solved.dual.reason;
+  if (keep) solved.solvers = {std::move(solver), nullptr, sweeps};
   solved.level.seconds.dual = clock.seconds();
   return solved;
 }

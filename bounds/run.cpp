@@ -196,8 +196,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
   const auto compute = [&](const std::vector<std::size_t>& which, const Examined<dim>& examined, bool one_problem) {
     if (observer.stage && !which.empty()) observer.stage("quantities");
     for (const std::size_t i : which) {
-      if constexpr (dim == 2)  // in space there are none yet
-        outcome.quantities[i] = on_last_level(outcome, scene, asked[i], outcome.quantities[i], examined, one_problem);
+      outcome.quantities[i] = on_last_level(outcome, scene, asked[i], outcome.quantities[i], examined, one_problem);
       const double seconds = outcome.quantities[i].levels.back().seconds;
       outcome.levels.back().seconds.quantities += seconds;
       outcome.levels.back().seconds.total += seconds;
@@ -217,7 +216,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     Meshed<dim> meshed = first();
     size = fmt::format("{} cells", count_of_cells(meshed));
     meshed.problem = balanced(std::move(meshed.problem), scene.solve.degree);
-    if constexpr (dim == 2) asked = bounds::asked(scene, meshed.problem);
+    asked = bounds::asked(scene, meshed.problem);
     for (const Asked<dim>& one : asked) outcome.quantities.push_back(unknown(one));
     outcome.skipped = skipped_stages(scene, meshed.problem);
     meshed.seconds = clock.seconds();

@@ -14,20 +14,27 @@ namespace {
 
 template <int dim> std::string fault_in(const Quantity<dim>& quantity) {
   using enum QuantityKind;
-  const bool directed = quantity.kind == displacement || quantity.kind == body || quantity.kind == reaction;
+  const bool directed = quantity.kind == displacement || quantity.kind == body || quantity.kind == reaction ||
+                        (dim == 3 && quantity.kind == rotation);
   if (quantity.kind != energy && quantity.of.empty()) return "it does not say of what";
   if (quantity.direction && !directed) return "only displacements and reactions have a direction";
   if (quantity.kind == body && !quantity.direction) return "a body has no normal; give a direction";
   if (quantity.direction && quantity.direction->isZero(0)) return "its direction must not be zero";
   if (quantity.of_force != ForceComponent::normal && quantity.kind != force)
     return "only the force of a contact has a component \"shear\"";
+  if (dim == 3 && (quantity.kind == slip || quantity.of_force != ForceComponent::normal))
+    return "slip and shear are of contacts with friction, which the plane alone has";
+  if (dim == 2 && quantity.kind == stress && quantity.component > StressComponent::mean)
+    return fmt::format("a stress in the plane has no component \"{}\"; expected xx, yy, xy or mean",
+                       name(quantity.component));
   if ((quantity.stretch || quantity.weight) && !is_pressing_force(quantity) && quantity.kind != opening)
     return is_of_contact(quantity)
                ? "shear and slip have either sign, and no stretch or weight; ask for the whole contact, and for a part "
                  "of it make two contacts"
                : "only forces and openings of contacts have a stretch or a weight";
   if (quantity.stretch && quantity.weight) return "either a stretch or a weight";
-  if (dim == 3 && quantity.kind == rotation) return "a rotation is asked for in the plane only";
+  if (dim == 3 && quantity.kind == rotation && (!quantity.direction || (quantity.direction->array() != 0).count() != 1))
+    return "a rotation in space is about an axis of the coordinates; give its direction, such as [0, 0, 1]";
   if (dim == 3 && quantity.stretch) return "a stretch by arc length is one of the plane; in space write a weight";
   if (!(quantity.target >= 0)) return fmt::format("its target must not be negative, is {}", quantity.target);
   if (!(quantity.absolute >= 0))

@@ -13,7 +13,7 @@ enum class Strategy { none, uniform, adaptive };
 enum class Dual { hybrid, uzawa, local };
 enum class Law { frictionless, bonded, bilateral, winkler, tresca, coulomb };
 enum class QuantityKind { displacement, body, rotation, force, opening, reaction, stress, energy, slip };
-enum class StressComponent { xx, yy, xy, mean };
+enum class StressComponent { xx, yy, xy, mean, zz, yz, xz };
 enum class ForceComponent { normal, shear };
 
 /// The names of an option's values, in their order.
@@ -27,7 +27,7 @@ inline constexpr std::array option_names<Law>{"frictionless", "bonded", "bilater
 template <>
 inline constexpr std::array option_names<QuantityKind>{"displacement", "body",   "rotation", "force", "opening",
                                                        "reaction",     "stress", "energy",   "slip"};
-template <> inline constexpr std::array option_names<StressComponent>{"xx", "yy", "xy", "mean"};
+template <> inline constexpr std::array option_names<StressComponent>{"xx", "yy", "xy", "mean", "zz", "yz", "xz"};
 template <> inline constexpr std::array option_names<ForceComponent>{"normal", "shear"};
 
 template <class Option> std::string name(Option option) {

@@ -22,7 +22,7 @@ template <int dim> struct Quantity {
   std::string of;  ///< displacement, rotation, reaction: a boundary part; body, stress: a body; force, opening,
                    ///< slip: a contact, by its name or its first part; empty for the energy
   std::optional<Vector<dim>> direction;  ///< of displacement, body and reaction, of any length; nothing: the outward
-                                         ///< normal (not of bodies)
+                                         ///< normal (not of bodies); in space the axis of a rotation
   StressComponent component = StressComponent::mean;
   ForceComponent of_force = ForceComponent::normal;  ///< ∫ p of a contact, or ∫ τ (scene/problem/law.h)
   std::optional<LineStretch> stretch;                ///< of a contact; nothing: the whole of it

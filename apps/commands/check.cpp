@@ -231,16 +231,14 @@ template <int dim> Json problem_json(const scene::Scene<dim>& scene, const scene
 template <int dim>
 void check_in(const std::filesystem::path& file, const std::vector<std::string>& overrides, bool as_json) {
   const scene::Scene<dim> scene = scene::read_scene<dim>(file, overrides);
-  if constexpr (dim == 3) refuse_quantities(scene);
   const scene::Problem<dim> problem = scene::fix_data(scene, scene::build_mesh(scene));
   if (as_json) {
     Json result = problem_json(scene, problem);
     const scene::Problem<dim> balanced = bounds::balanced(problem, scene.solve.degree);
     result["loads_changed"] = balanced.imbalance;
     result["quantities"] = Json::array();
-    if constexpr (dim == 2)
-      for (const auto& one : bounds::asked(scene, balanced))
-        result["quantities"].push_back({{"name", one.quantity.name}, {"undetermined", one.undetermined.motion}});
+    for (const auto& one : bounds::asked(scene, balanced))
+      result["quantities"].push_back({{"name", one.quantity.name}, {"undetermined", one.undetermined.motion}});
     result["status"] = "done";
     result["notes"] = problem.mesh.notes;
     std::cout << dump(result);
@@ -251,11 +249,10 @@ void check_in(const std::filesystem::path& file, const std::vector<std::string>&
   const scene::Problem<dim> balanced = bounds::balanced(problem, scene.solve.degree);
   std::cout << within_columns(fmt::format(
       "solvable: supports and contact can balance the loads (imbalance removed: {:.1e})\n", balanced.imbalance));
-  if constexpr (dim == 2)
-    for (const auto& one : bounds::asked(scene, balanced))
-      std::cout << within_columns(
-          fmt::format("quantity: {}{}\n", one.quantity.name,
-                      one.undetermined.motion.empty() ? "" : "; one end only: " + one.undetermined.motion));
+  for (const auto& one : bounds::asked(scene, balanced))
+    std::cout << within_columns(
+        fmt::format("quantity: {}{}\n", one.quantity.name,
+                    one.undetermined.motion.empty() ? "" : "; one end only: " + one.undetermined.motion));
 }
 
 template <int dim> void info_in(const std::filesystem::path& file, bool as_json) {

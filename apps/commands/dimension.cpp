@@ -16,11 +16,4 @@ void refuse_space(const std::filesystem::path& scene, const std::vector<std::str
         fmt::format("bracket {} knows plane scenes only; in space there are run, check, info and mesh", command));
 }
 
-void refuse_quantities(const scene::Scene<3>& scene) {
-  if (!scene.quantities.empty())
-    throw scene::Error(scene::Status::input, scene.quantities.front().where,
-                       "quantities are known in the plane only; in space leave [[quantity]] out: forces, reactions and "
-                       "displacements are computed, not bounded");
-}
-
 }  // namespace bracket::apps

@@ -16,7 +16,4 @@ bool is_in_space(const std::filesystem::path& scene, const std::vector<std::stri
 /// \throw scene::Error (input) if the scene is one of space   \param command that knows the plane alone
 void refuse_space(const std::filesystem::path& scene, const std::vector<std::string>& overrides, const char* command);
 
-/// \throw scene::Error (input) if the scene asks for quantities
-void refuse_quantities(const scene::Scene<3>& scene);
-
 }  // namespace bracket::apps

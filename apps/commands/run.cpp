@@ -211,7 +211,6 @@ std::string where(const std::filesystem::path& folder) {
 
 template <int dim> Ending run_in(const RunOptions& options, const Clock& clock) {
   scene::Scene<dim> scene = scene::read_scene<dim>(options.scene, options.overrides);
-  if constexpr (dim == 3) refuse_quantities(scene);
   scene.refine.all_levels = options.all_levels;
   Results<dim> results{.scene = scene,
                        .options = options,

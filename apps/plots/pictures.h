@@ -14,14 +14,14 @@ namespace bracket::apps {
 /// mesh unless error_is_rounding().
 /// \pre a guarantee, the run has ended
 std::vector<Picture> pictures(const Report& report);
-/// Of them closing and error, which a run in space has too.
+/// Of them closing, those of quantities and error, which a run in space has too.
 template <int dim> std::vector<Picture> level_pictures(const ReportOf<dim>& report);
 
 template <int dim>
 Picture closing_picture(
     const ReportOf<dim>& report);  ///< the bounds about the middle of the final bracket, against cells
 /// The same of each quantity, quantity_1 and so on, that two meshes or more have put between bounds.
-std::vector<Picture> quantity_pictures(const Report& report);
+template <int dim> std::vector<Picture> quantity_pictures(const ReportOf<dim>& report);
 template <int dim>
 Picture error_picture(const ReportOf<dim>& report);  ///< the guaranteed relative error against cells and seconds
 Picture mesh_picture(const Report& report);          ///< the mesh coloured by the density of the indicator

@@ -136,7 +136,7 @@ template <int dim> Picture closing_picture(const ReportOf<dim>& report) {
                  "energy", meshes, report.outcome.lower, report.outcome.upper, one_problem);
 }
 
-std::vector<Picture> quantity_pictures(const Report& report) {
+template <int dim> std::vector<Picture> quantity_pictures(const ReportOf<dim>& report) {
   const bool one_problem = report.scene.curves.empty();
   std::vector<Picture> result;
   int number = 0;
@@ -196,18 +196,16 @@ template <int dim> bool has_error_curve(const bounds::Outcome<dim>& outcome) {
 template <int dim> std::vector<Picture> level_pictures(const ReportOf<dim>& report) {
   std::vector<Picture> result;
   if (report.outcome.levels.size() > 1) result.push_back(closing_picture(report));
+  for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
   if (has_error_curve(report.outcome)) result.push_back(error_picture(report));
   return result;
 }
 
 std::vector<Picture> pictures(const Report& report) {
-  const auto& levels = report.outcome.levels;
   std::vector<Picture> result = {bodies_picture(report)};
   for (int pair = 0; pair < static_cast<int>(report.scene.contact.size()); ++pair)
     result.push_back(contact_picture(report, pair));
-  if (levels.size() > 1) result.push_back(closing_picture(report));
-  for (Picture& picture : quantity_pictures(report)) result.push_back(std::move(picture));
-  if (has_error_curve(report.outcome)) result.push_back(error_picture(report));
+  for (Picture& picture : level_pictures(report)) result.push_back(std::move(picture));
   if (knows_stress_across(report.outcome.problem, report.scene.plane)) result.push_back(shear_picture(report));
   if (!error_is_rounding(report.outcome)) result.push_back(mesh_picture(report));
   return result;
@@ -217,6 +215,7 @@ template Picture closing_picture(const ReportOf<2>&);
 template Picture closing_picture(const ReportOf<3>&);
 template Picture error_picture(const ReportOf<2>&);
 template Picture error_picture(const ReportOf<3>&);
+template std::vector<Picture> level_pictures(const ReportOf<2>&);
 template std::vector<Picture> level_pictures(const ReportOf<3>&);
 
 }  // namespace bracket::apps

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "bounds/certificate/admissible_displacement.h"
 #include "bounds/quantities/line.h"
 #include "bounds/quantities/parts.h"
-#include "scene/problem/gap.h"
+#include "bounds/quantities/weights.h"
 #include "scene/text.h"
 
 namespace bracket::bounds {
@@ -20,110 +19,101 @@ using scene::Quantity;
 
 namespace {
 
-/// Weights by Bernstein coefficients on each contact facet of the first mesh, below and above what is meant.
-struct ContactWeights {
-  std::vector<std::array<double, 3>> below, above;
-  bool weighted = false;
-  Enclosure length;  ///< of what they are the indicator of; 0: they are weights of their own
-};
+template <int dim> using LinearWeights = std::vector<std::array<double, std::size_t{dim}>>;
 
-std::vector<std::array<double, 3>> quadratic(const LinearWeight& weight) {
-  std::vector<std::array<double, 3>> result;
-  for (const auto& [a, b] : weight) result.push_back({a, (a + b) / 2, b});
+template <int dim> FacetWeights<dim> quadratics(const LinearWeights<dim>& weights) {
+  FacetWeights<dim> result;
+  for (const auto& weight : weights) result.push_back(quadratic<dim>(weight));
   return result;
 }
 
-void check_continuous(const Problem<2>& first, const Quantity<2>& quantity, int pair, const ContactWeights& weights) {
-  for (const ContactLine& line : contact_lines(first, pair))
-    for (std::size_t i = line.closed ? 0 : 1; i < line.contact.size(); ++i) {
-      const int one = line.contact[(i == 0 ? line.contact.size() : i) - 1], next = line.contact[i];
-      if (weights.below[one][0] == weights.below[next][2] && weights.above[one][0] == weights.above[next][2]) continue;
-      const int v = first.mesh.boundary[first.contact[one].first].vertices[0];
-      refuse(quantity,
-             fmt::format("its weight jumps at {}: a jump has no finite energy", scene::point(first.mesh.vertices[v])));
-    }
+/// 1, and at the first sides' vertices where that cannot be 0.
+template <int dim> LinearWeights<dim> whole_weights(const Problem<dim>& first, int pair) {
+  const auto held = held_corners(first);
+  std::vector<char> zero(first.mesh.vertices.size(), 0);
+  const auto& boundary = first.mesh.boundary;
+  for (std::size_t j = 0; j < held.size(); ++j)
+    for (int i = 0; i < dim && first.contact[j].pair == pair; ++i)
+      if (held[j][i]) zero[boundary[first.contact[j].first].vertices[i]] = 1;
+  LinearWeights<dim> whole(first.contact.size(), scene::at_vertices<dim>(0.0));
+  for (std::size_t j = 0; j < whole.size(); ++j)
+    for (int i = 0; i < dim && first.contact[j].pair == pair; ++i)
+      whole[j][i] = zero[boundary[first.contact[j].first].vertices[i]] ? 0 : 1;
+  return whole;
 }
 
-ContactWeights given_weights(const Problem<2>& first, const Quantity<2>& quantity, int pair) {
-  ContactWeights weights;
-  weights.below.assign(first.contact.size(), {0, 0, 0});
-  weights.above = weights.below;
-  if (!quantity.weight.is_enclosed()) refuse(quantity, "its weight must be a number or an expression");
-  for (std::size_t j = 0; j < first.contact.size(); ++j) {
-    if (first.contact[j].pair != pair) continue;
-    const auto [a, b] = scene::positions(first.mesh, first.mesh.boundary[first.contact[j].first].vertices);
-    const auto bounds = scene::quadratic_gap(quantity.weight, a, b);
-    if (!bounds)
-      refuse(quantity, fmt::format("its weight is not one quadratic on the edge of the first mesh from {} to {}",
-                                   scene::point(a), scene::point(b)));
-    weights.below[j] = bounds->lower;
-    weights.above[j] = bounds->upper;
-  }
-  check_continuous(first, quantity, pair, weights);
-  return weights;
+/// Planar.
+ContactWeights<2> stretch_weights(const Problem<2>& first, const Quantity<2>& quantity, int pair, bool two_sided) {
+  if (two_sided)
+    refuse(quantity,
+           "a stretch of it has no bounds where the sides cannot lift off, for pressures of either sign do not add up "
+           "one way; expected the whole contact, or a weight");
+  const ContactLine line =
+      open_line(first, pair, quantity.of, fmt::format("quantity '{}': a stretch needs", quantity.name), quantity.where);
+  const StretchWeights stretch = stretch_weights(first, line, *quantity.stretch, quantity.where);
+  return {quadratics<2>(stretch.below), quadratics<2>(stretch.above), false,
+          Enclosure(quantity.stretch->to) - Enclosure(quantity.stretch->from)};
 }
 
-ContactWeights contact_weights(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
+template <int dim>
+ContactWeights<dim> contact_weights(const scene::Scene<dim>& scene, const Problem<dim>& first,
+                                    const Quantity<dim>& quantity) {
   const int pair = pair_named(scene, quantity.of, quantity.where);
   if (quantity.weight) return given_weights(first, quantity, pair);
-  ContactWeights weights;
-  if (quantity.stretch) {
-    if (scene::is_two_sided(scene.contact[pair]))
-      refuse(
-          quantity,
-          "a stretch of it has no bounds where the sides cannot lift off, for pressures of either sign do not add up "
-          "one way; expected the whole contact, or a weight");
-    const ContactLine line = open_line(first, pair, quantity.of,
-                                       fmt::format("quantity '{}': a stretch needs", quantity.name), quantity.where);
-    const StretchWeights stretch = stretch_weights(first, line, *quantity.stretch, quantity.where);
-    weights.below = quadratic(stretch.below);
-    weights.above = quadratic(stretch.above);
-    weights.length = Enclosure(quantity.stretch->to) - Enclosure(quantity.stretch->from);
-  } else {
-    const auto held = held_ends(first);
-    LinearWeight whole(first.contact.size(), {0, 0});
-    for (std::size_t j = 0; j < whole.size(); ++j) {
-      if (first.contact[j].pair != pair) continue;
-      for (int i = 0; i < 2; ++i) whole[j][i] = held[j][i] ? 0 : 1;
-      weights.weighted = weights.weighted || held[j][0] || held[j][1];
-      weights.length +=
-          facet_length(first, first.contact[j].first) * Enclosure(whole[j][0] + whole[j][1]) / Enclosure(2);
-    }
-    weights.below = weights.above = quadratic(whole);
+  if constexpr (dim == 2)
+    if (quantity.stretch) return stretch_weights(first, quantity, pair, scene::is_two_sided(scene.contact[pair]));
+  const LinearWeights<dim> whole = whole_weights(first, pair);
+  ContactWeights<dim> weights;
+  weights.below = weights.above = quadratics<dim>(whole);
+  for (std::size_t j = 0; j < whole.size(); ++j) {
+    if (first.contact[j].pair != pair) continue;
+    double sum = 0;
+    for (const double w : whole[j]) sum += w;
+    weights.weighted = weights.weighted || sum < dim;
+    weights.size += facet_size(first, first.contact[j].first) * Enclosure(sum) / Enclosure(dim);
   }
   return weights;
 }
 
-std::array<double, 3> negated(const std::array<double, 3>& w) { return {0.0 - w[0], 0.0 - w[1], 0.0 - w[2]}; }
+template <int dim> FacetWeights<dim> negated(FacetWeights<dim> weights) {
+  for (auto& weight : weights)
+    for (double& w : weight) w = 0.0 - w;
+  return weights;
+}
 
-bool is_non_negative(const std::vector<std::array<double, 3>>& weight) {
-  return std::ranges::all_of(weight, [](const auto& w) { return w[0] >= 0 && w[1] >= 0 && w[2] >= 0; });
+template <int dim> bool is_non_negative(const FacetWeights<dim>& weights) {
+  return std::ranges::all_of(
+      weights, [](const auto& weight) { return std::ranges::all_of(weight, [](double w) { return w >= 0; }); });
 }
 
 }  // namespace
 
-Functionals<2> contact_work_functionals(const Problem<2>& problem, const std::vector<std::array<double, 3>>& below,
-                                        const std::vector<std::array<double, 3>>& above) {
-  const auto with = [&](const std::vector<std::array<double, 3>>& weight) {
-    Perturbation<2> perturbation = scene::no_perturbation(problem);
+template <int dim>
+Functionals<dim> contact_work_functionals(const Problem<dim>& problem,
+                                          const std::vector<scene::FacetQuadratic<dim>>& below,
+                                          const std::vector<scene::FacetQuadratic<dim>>& above) {
+  const auto with = [&](const FacetWeights<dim>& weight) {
+    Perturbation<dim> perturbation = scene::no_perturbation(problem);
     for (std::size_t j = 0; j < weight.size(); ++j) perturbation.contact[j].gap = weight[j];
-    return std::make_shared<const Perturbation<2>>(std::move(perturbation));
+    return std::make_shared<const Perturbation<dim>>(std::move(perturbation));
   };
-  Functionals<2> result;
+  Functionals<dim> result;
   result.below = with(above);
   result.above = below == above ? result.below : with(below);
   return result;
 }
 
-Functionals<2> contact_force(const scene::Scene<2>& scene, const Problem<2>& first, const Quantity<2>& quantity) {
-  const ContactWeights weights = contact_weights(scene, first, quantity);
-  const auto negative = [](std::vector<std::array<double, 3>> weight) {
-    for (auto& facet : weight) facet = negated(facet);
-    return weight;
-  };
-  Functionals<2> result = contact_work_functionals(first, negative(weights.above), negative(weights.below));
-  result.non_negative = is_non_negative(weights.below) &&
-                        !scene::is_two_sided(scene.contact[pair_named(scene, quantity.of, quantity.where)]);
+template <int dim>
+Functionals<dim> contact_force(const scene::Scene<dim>& scene, const Problem<dim>& first,
+                               const Quantity<dim>& quantity) {
+  const ContactWeights<dim> weights = contact_weights(scene, first, quantity);
+  const bool two_sided = scene::is_two_sided(scene.contact[pair_named(scene, quantity.of, quantity.where)]);
+  if (dim == 3 && two_sided && weights.below != weights.above)
+    refuse(quantity,
+           "its weight is known up to rounding only, and where the sides cannot lift off the pressure has either sign; "
+           "expected one that is a short number at the nodes, or the whole contact");
+  Functionals<dim> result = contact_work_functionals(first, negated<dim>(weights.above), negated<dim>(weights.below));
+  result.non_negative = is_non_negative<dim>(weights.below) && !two_sided;
   result.weighted = weights.weighted;
   return result;
 }
@@ -132,64 +122,58 @@ namespace {
 
 /// A linear weight that is nowhere above a quadratic one, which is linear itself but for rounding: of its Bernstein
 /// coefficients none is larger.
-std::array<double, 3> linear_below(std::array<double, 3> weight, const Quantity<2>& quantity) {
+template <int dim>
+scene::FacetQuadratic<dim> linear_below(const scene::FacetQuadratic<dim>& weight, const Quantity<dim>& quantity) {
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  const double size = std::max({std::abs(weight[0]), std::abs(weight[1]), std::abs(weight[2])});
-  const double mean = (weight[0] + weight[2]) / 2;
-  if (std::abs(weight[1] - mean) > rounding * size)
-    refuse(quantity, "the weight of an opening must be linear on each edge of the first mesh");
-  // Twice the mean is sum + error, exactly; what is taken off is not lost in rounding.
-  const auto [sum, error] = scene::exact_sum(weight[0], weight[2]);
-  const scene::Real middle = 2 * scene::Real(weight[1]);
-  const bool above = sum > middle || (sum == middle && error > 0);
-  const double excess = above ? rounding * size : 0;
-  return {weight[0] - excess, mean - excess, weight[2] - excess};
-}
-
-/// ∫ w g of a weight that is linear on the first mesh's facets, with the lower or the upper gap of the current mesh.
-Enclosure weighted_gap(const Problem<2>& problem, const std::vector<std::array<double, 3>>& weight, bool upper) {
-  const std::vector<int> contact_of = scene::contacts_by_first(scene::first_of(problem));
-  LongSum sum;
-  for (const auto& pair : problem.contact) {
-    const auto [of, corner] = scene::piece_of_facet(problem, pair.first);
-    const auto& [a, middle, b] = weight[contact_of[of]];
-    if (a == 0 && b == 0) continue;
-    const auto e = along<Enclosure>(problem, pair.first);
-    const Enclosure length = root(dot(e, e));
-    for (int i = 0; i < 2; ++i) {
-      std::array<Enclosure, 2> hat = {Enclosure(0), Enclosure(0)};
-      hat[i] = between_ends(Enclosure(a), Enclosure(b), corner[i][0]);
-      const auto& gap = (hat[i].middle >= 0) == upper ? pair.upper : pair.lower;
-      sum.add(length *
-              scene::bernstein_product(std::vector<Enclosure>(hat.begin(), hat.end()), gap_on<Enclosure>(gap, 2)));
-    }
+  double size = 0;
+  for (const double w : weight) size = std::max(size, std::abs(w));
+  bool above = false;
+  for (int e = 0; e < static_cast<int>(scene::Simplex<dim - 1>::edges.size()); ++e) {
+    const auto& [i, k] = scene::Simplex<dim - 1>::edges[e];
+    const double a = weight[vertex_place<dim>(i)], b = weight[vertex_place<dim>(k)], own = weight[edge_place<dim>(e)];
+    if (std::abs(own - (a + b) / 2) > rounding * size)
+      refuse(quantity,
+             fmt::format("the weight of an opening must be linear on each {} of the first mesh", facet_name<dim>));
+    // Twice the mean is sum + error, exactly; what is taken off is not lost in rounding.
+    const auto [sum, error] = scene::exact_sum(a, b);
+    const scene::Real middle = 2 * scene::Real(own);
+    above = above || sum > middle || (sum == middle && error > 0);
   }
-  return sum.value();
+  std::array<double, dim> linear;
+  for (int i = 0; i < dim; ++i) linear[i] = weight[vertex_place<dim>(i)];
+  scene::FacetQuadratic<dim> below = quadratic<dim>(linear);
+  for (double& w : below) w -= above ? rounding * size : 0;
+  return below;
+}
+template <int dim> FacetWeights<dim> linear_below(FacetWeights<dim> weights, const Quantity<dim>& quantity) {
+  for (auto& weight : weights) weight = linear_below(weight, quantity);
+  return weights;
 }
 
 }  // namespace
 
-Functionals<2> opening(const scene::Scene<2>& scene, const Problem<2>& problem, const Quantity<2>& quantity) {
-  const Problem<2>& first = scene::first_of(problem);
+template <int dim>
+Functionals<dim> opening(const scene::Scene<dim>& scene, const Problem<dim>& problem, const Quantity<dim>& quantity) {
+  const Problem<dim>& first = scene::first_of(problem);
   const auto& pair = scene.contact[pair_named(scene, quantity.of, quantity.where)];
   if (pair.law == scene::Law::bilateral || (pair.law == scene::Law::tresca && !pair.lifts_off))
     refuse(quantity, "the sides of this contact keep together: they open nowhere");
-  ContactWeights weights = contact_weights(scene, first, quantity);
-  for (auto& weight : weights.below) weight = linear_below(weight, quantity);
-  for (auto& weight : weights.above) weight = negated(linear_below(negated(weight), quantity));
-  const auto with = [&](const std::vector<std::array<double, 3>>& weight) {
-    Perturbation<2> perturbation = scene::no_perturbation(first);
+  ContactWeights<dim> weights = contact_weights(scene, first, quantity);
+  weights.below = linear_below(std::move(weights.below), quantity);
+  weights.above = negated<dim>(linear_below(negated<dim>(std::move(weights.above)), quantity));
+  const auto with = [&](const FacetWeights<dim>& weight) {
+    Perturbation<dim> perturbation = scene::no_perturbation(first);
     for (std::size_t j = 0; j < weight.size(); ++j)
-      perturbation.contact[j].opening = {0.0 - weight[j][0], 0.0 - weight[j][2]};
-    return std::make_shared<const Perturbation<2>>(std::move(perturbation));
+      for (int i = 0; i < dim; ++i) perturbation.contact[j].opening[i] = 0.0 - weight[j][vertex_place<dim>(i)];
+    return std::make_shared<const Perturbation<dim>>(std::move(perturbation));
   };
-  Functionals<2> result;
+  Functionals<dim> result;
   result.below = with(weights.below);
   result.above = weights.above == weights.below ? result.below : with(weights.above);
   result.offset_below = weighted_gap(problem, weights.below, false);
   result.offset_above = weighted_gap(problem, weights.above, true);
-  if (!quantity.weight) result.scale = weights.length;
-  result.non_negative = is_non_negative(weights.below) && pair.law != scene::Law::winkler;
+  if (!quantity.weight) result.scale = weights.size;
+  result.non_negative = is_non_negative<dim>(weights.below) && pair.law != scene::Law::winkler;
   result.weighted = weights.weighted;
   return result;
 }
@@ -212,6 +196,15 @@ template <int dim> int pair_named(const scene::Scene<dim>& scene, const std::str
   scene::fail(scene::Status::input, where, why);
 }
 
-template int pair_named(const scene::Scene<2>&, const std::string&, const std::string&);
+#define INSTANTIATE(dim)                                                                                        \
+  template Functionals<dim> contact_work_functionals(const Problem<dim>&,                                       \
+                                                     const std::vector<scene::FacetQuadratic<dim>>&,            \
+                                                     const std::vector<scene::FacetQuadratic<dim>>&);           \
+  template Functionals<dim> contact_force(const scene::Scene<dim>&, const Problem<dim>&, const Quantity<dim>&); \
+  template Functionals<dim> opening(const scene::Scene<dim>&, const Problem<dim>&, const Quantity<dim>&);       \
+  template int pair_named(const scene::Scene<dim>&, const std::string&, const std::string&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -18,7 +18,7 @@ using scene::Vector;
 namespace {
 
 /// The facets of a part whose displacement nothing prescribes, not even in part.
-std::vector<int> free_facets(const Problem<2>& first, const Quantity<2>& quantity) {
+template <int dim> std::vector<int> free_facets(const Problem<dim>& first, const Quantity<dim>& quantity) {
   std::vector<int> facets = facets_of(first, quantity);
   for (const int f : facets) {
     if (first.facets[f].support == Support::traction) continue;
@@ -30,52 +30,74 @@ std::vector<int> free_facets(const Problem<2>& first, const Quantity<2>& quantit
   return facets;
 }
 
+Vector<2> middle(const std::array<Vector<2>, 2>& x) { return x[0] + (x[1] - x[0]) / 2; }
+Vector<3> middle(const std::array<Vector<3>, 3>& x) { return (x[0] + x[1] + x[2]) / 3; }
+
 }  // namespace
 
-Functionals<2> mean_displacement(const Problem<2>& first, const Quantity<2>& quantity) {
-  Perturbation<2> perturbation = scene::no_perturbation(first);
-  Enclosure length;
+template <int dim> Functionals<dim> mean_displacement(const Problem<dim>& first, const Quantity<dim>& quantity) {
+  Perturbation<dim> perturbation = scene::no_perturbation(first);
+  Enclosure whole;
   for (const int f : free_facets(first, quantity)) {
-    length += facet_length(first, f);
+    whole += facet_size(first, f);
     if (quantity.direction)
-      perturbation.facets[f].traction = scene::at_vertices<2>(plain(*quantity.direction));
+      perturbation.facets[f].traction = scene::at_vertices<dim>(plain<dim>(*quantity.direction));
     else
-      perturbation.facets[f].pressure = {-1, -1};
+      perturbation.facets[f].pressure = scene::at_vertices<dim>(-1.0);
   }
-  return linear(std::move(perturbation), quantity.direction ? length * size(*quantity.direction) : length);
+  return linear(std::move(perturbation), quantity.direction ? whole * size(*quantity.direction) : whole);
 }
 
-Functionals<2> rotation(const Problem<2>& first, const Quantity<2>& quantity) {
+template <int dim> Functionals<dim> rotation(const Problem<dim>& first, const Quantity<dim>& quantity) {
   const auto& mesh = first.mesh;
   const std::vector<int> facets = free_facets(first, quantity);
-  Vector<2> sum = Vector<2>::Zero();
-  double length = 0;
+  Vector<dim> sum = Vector<dim>::Zero();
+  double whole = 0;
   for (const int f : facets) {
-    const auto [a, b] = scene::positions(mesh, mesh.boundary[f].vertices);
-    sum += (b - a).norm() * (a + (b - a) / 2);
-    length += (b - a).norm();
+    const auto x = scene::positions(mesh, mesh.boundary[f].vertices);
+    const double own = scene::length(mesh, f);
+    sum += own * middle(x);
+    whole += own;
   }
-  const Vector<2> middle = sum / length;
-  Perturbation<2> perturbation = scene::no_perturbation(first);
+  const Vector<dim> centre = sum / whole;
+  int axis = 0;
+  double sense = 1;
+  if constexpr (dim == 3) {
+    while ((*quantity.direction)[axis] == 0) ++axis;
+    sense = (*quantity.direction)[axis] > 0 ? 1 : -1;
+  }
+  const auto& [i, k] = scene::Simplex<dim>::rotations[axis];
+  Perturbation<dim> perturbation = scene::no_perturbation(first);
   Enclosure inertia;
   for (const int f : facets) {
-    std::array<Vector2<Enclosure>, 2> arms;
-    for (int i = 0; i < 2; ++i) {
-      const TwofoldVector<2> arm = scene::difference<2>(middle, mesh.vertices[mesh.boundary[f].vertices[i]]);
-      arms[i] = vector2<Enclosure>(arm);
-      perturbation.facets[f].traction[i] = {Vector<2>(-arm.value[1], arm.value[0]),
-                                            Vector<2>(-arm.rest[1], arm.rest[0])};
+    std::array<TwofoldVector<dim>, dim> arms;  // at right angles to the axis
+    for (int v = 0; v < dim; ++v) {
+      arms[v] = scene::difference<dim>(centre, mesh.vertices[mesh.boundary[f].vertices[v]]);
+      TwofoldVector<dim>& traction = perturbation.facets[f].traction[v];
+      for (const auto& [turned, arm] :
+           {std::pair(&traction.value, &arms[v].value), std::pair(&traction.rest, &arms[v].rest)}) {
+        if constexpr (dim == 3) (*arm)[axis] = 0;
+        (*turned)[i] = -sense * (*arm)[k];
+        (*turned)[k] = sense * (*arm)[i];
+      }
     }
-    inertia += facet_length(first, f) * linear_product(arms, arms);
+    inertia += facet_size(first, f) * mean_square(arms);
   }
   return linear(std::move(perturbation), inertia);
 }
 
-Functionals<2> body_displacement(const Problem<2>& first, const Quantity<2>& quantity) {
+template <int dim> Functionals<dim> body_displacement(const Problem<dim>& first, const Quantity<dim>& quantity) {
   const int body = body_named(first, quantity);
-  Perturbation<2> perturbation = scene::no_perturbation(first);
+  Perturbation<dim> perturbation = scene::no_perturbation(first);
   perturbation.force[body] = *quantity.direction;
-  return linear(std::move(perturbation), body_area(first, body) * size(*quantity.direction));
+  return linear(std::move(perturbation), body_size(first, body) * size(*quantity.direction));
 }
+
+template Functionals<2> mean_displacement(const Problem<2>&, const Quantity<2>&);
+template Functionals<3> mean_displacement(const Problem<3>&, const Quantity<3>&);
+template Functionals<2> rotation(const Problem<2>&, const Quantity<2>&);
+template Functionals<3> rotation(const Problem<3>&, const Quantity<3>&);
+template Functionals<2> body_displacement(const Problem<2>&, const Quantity<2>&);
+template Functionals<3> body_displacement(const Problem<3>&, const Quantity<3>&);
 
 }  // namespace bracket::bounds

@@ -186,8 +186,13 @@ EvaluatedQuantity<dim> evaluate(const scene::Scene<dim>& scene, const scene::Qua
   return evaluate(functionals(scene, level.problem, quantity), level, undetermined, std::move(learned));
 }
 
-template EvaluatedQuantity<2> evaluate(const scene::Scene<2>&, const scene::Quantity<2>&, const SolvedLevel<2>&,
-                                       const Undetermined&, Learned);
-template EvaluatedQuantity<2> evaluate(const Functionals<2>&, const SolvedLevel<2>&, const Undetermined&, Learned);
+#define INSTANTIATE(dim)                                                                                          \
+  template EvaluatedQuantity<dim> evaluate(const scene::Scene<dim>&, const scene::Quantity<dim>&,                 \
+                                           const SolvedLevel<dim>&, const Undetermined&, Learned);                \
+  template EvaluatedQuantity<dim> evaluate(const Functionals<dim>&, const SolvedLevel<dim>&, const Undetermined&, \
+                                           Learned);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -27,16 +27,17 @@ template <int dim>
 Functionals<dim> functionals(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                              const scene::Quantity<dim>& quantity);
 
-/// J = −∫ p ψ of a ψ between two weights on each contact facet of the first mesh, Bernstein coefficients from vertex 0
-/// of its first facet: as p ≥ 0, bounds of those of the weights bound it.
-Functionals<2> contact_work_functionals(const scene::Problem<2>& problem,
-                                        const std::vector<std::array<double, 3>>& below,
-                                        const std::vector<std::array<double, 3>>& above);
+/// J = −∫ p ψ of a ψ between two weights on each contact facet of the first mesh, Bernstein coefficients as
+/// ContactFacetOf has the gap's: as p ≥ 0, bounds of those of the weights bound it.
+template <int dim>
+Functionals<dim> contact_work_functionals(const scene::Problem<dim>& problem,
+                                          const std::vector<scene::FacetQuadratic<dim>>& below,
+                                          const std::vector<scene::FacetQuadratic<dim>>& above);
 
 /// Whether the strain energy follows from the bracket of L(u) itself: −L(u) where the loads do all of the work, as
 /// without gaps and prescribed displacements, and L(u) where there are no loads.
 enum class FreeEnergy { none, of_loads, of_supports };
-FreeEnergy free_energy(const scene::Problem<2>& problem);
+template <int dim> FreeEnergy free_energy(const scene::Problem<dim>& problem);
 
 /// The pair that a name means: index into Scene::contact.
 /// \throw scene::Error (input), at `where`, if it is none or not unique

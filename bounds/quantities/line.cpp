@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "scene/fault.h"
 #include "scene/text.h"
 
 namespace bracket::bounds {
-
-using scene::Support;
 
 namespace {
 
@@ -116,35 +113,6 @@ std::vector<char> on_stretch(const scene::Problem<2>& problem, const ContactLine
     const double from = end - corner[1][0] * (end - begin), to = end - corner[0][0] * (end - begin);
     const double rounding = rounding_of_arc(line);
     result.back() = to > stretch.from + rounding && from < stretch.to - rounding;
-  }
-  return result;
-}
-
-std::vector<std::array<bool, 2>> held_ends(const scene::Problem<2>& problem) {
-  const auto& mesh = problem.mesh;
-  std::vector<std::vector<int>> facets(mesh.vertices.size());
-  for (std::size_t f = 0; f < problem.facets.size(); ++f)
-    for (const int v : mesh.boundary[f].vertices) facets[v].push_back(static_cast<int>(f));
-  const auto held = [&](int vertex, const scene::Vector<2>& d) {
-    const scene::Vector<2>* other = nullptr;
-    for (const int f : facets[vertex]) {
-      const auto& [support, normal] = std::tie(problem.facets[f].support, problem.facets[f].normal);
-      if (support == Support::fixed) return true;
-      if (support != Support::sliding) continue;
-      const bool corner = other != nullptr && normal != *other && normal != -*other;
-      if (normal == d || normal == -d || corner) return true;
-      other = &normal;
-    }
-    return false;
-  };
-  std::vector<std::array<bool, 2>> result;
-  for (const auto& pair : problem.contact) {
-    const scene::Vector<2>& d = problem.facets[pair.first].normal;
-    std::array<bool, 2> both;
-    for (int i = 0; i < 2; ++i)
-      both[i] = held(mesh.boundary[pair.first].vertices[i], d) &&
-                (pair.second < 0 || held(mesh.boundary[pair.second].vertices[1 - i], d));
-    result.push_back(both);
   }
   return result;
 }

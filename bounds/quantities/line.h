@@ -42,7 +42,4 @@ StretchWeights stretch_weights(const scene::Problem<2>& problem, const ContactLi
 std::vector<char> on_stretch(const scene::Problem<2>& problem, const ContactLine& line,
                              const scene::LineStretch& stretch);
 
-/// At the vertices of contact facets where what is prescribed on both sides leaves no motion along d.
-std::vector<std::array<bool, 2>> held_ends(const scene::Problem<2>& problem);
-
 }  // namespace bracket::bounds

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bounds/estimate/on_mesh.h"
+#include "contact/clock.h"
 #include "scene/problem/law.h"
 
 namespace bracket::bounds {
@@ -38,9 +39,8 @@ Coefficients combined(Coefficients a, const Coefficients& b, double sign) {
   return a;
 }
 
-/// ½ ∫ (k s² + C p² − 2 p s) ≥ 0 over a contact facet: what springs shortened by s under p have of a width.
-template <int dim>
-double springs_square(const scene::Problem<dim>& problem, const scene::ContactFacet& pair, const Coefficients& s,
+/// Planar: ½ ∫ (k s² + C p² − 2 p s) ≥ 0 over a contact facet: what springs shortened by s under p have of a width.
+double springs_square(const scene::Problem<2>& problem, const scene::ContactFacet& pair, const Coefficients& s,
                       const Coefficients& p) {
   const auto& [k0, k1] = pair.law.modulus;
   const auto c = scene::compliance_on<double>(k0, k1);
@@ -50,11 +50,10 @@ double springs_square(const scene::Problem<dim>& problem, const scene::ContactFa
           scene::bernstein_product(p, s));
 }
 
-/// ∫ g_T (|w₁| + |w₂|) − 2 ∫ g_T |½ (w₁ + w₂)| ≥ 0 over a contact facet, w what friction sees of the slip in the two
-/// perturbed problems: of a slip that turns between them.
-template <int dim>
-double what_friction_adds(const scene::Problem<dim>& problem, const std::array<scene::Problem<dim>, 2>& of,
-                          std::size_t facet, const std::array<scene::Displacement<dim>, 2>& displacement) {
+/// Planar: ∫ g_T (|w₁| + |w₂|) − 2 ∫ g_T |½ (w₁ + w₂)| ≥ 0 over a contact facet, w what friction sees of the slip in
+/// the two perturbed problems: of a slip that turns between them.
+double what_friction_adds(const scene::Problem<2>& problem, const std::array<scene::Problem<2>, 2>& of,
+                          std::size_t facet, const std::array<scene::Displacement<2>, 2>& displacement) {
   if (!scene::has_friction(problem.contact[facet].law)) return 0;
   std::array<Coefficients, 2> w;
   for (int i = 0; i < 2; ++i) w[i] = rubbing(of[i], displacement[i], of[i].contact[facet]);
@@ -65,9 +64,8 @@ double what_friction_adds(const scene::Problem<dim>& problem, const std::array<s
 
 /// Adds the contact facets' shares of A and B. Springs are bodies: s of the means is the mean of the two, as s ≥ r − g
 /// of both is that of the mean.   \param contact shares of κ of the means   \param of the two perturbed problems
-template <int dim>
-void add_contact(const scene::Problem<dim>& problem, const std::array<scene::Problem<dim>, 2>& of,
-                 const std::vector<double>& contact, PerturbedPair<dim>& pair) {
+void add_contact(const scene::Problem<2>& problem, const std::array<scene::Problem<2>, 2>& of,
+                 const std::vector<double>& contact, PerturbedPair<2>& pair) {
   for (std::size_t j = 0; j < problem.contact.size(); ++j) {
     const scene::ContactFacet& facet = problem.contact[j];
     double of_difference = 0;
@@ -90,6 +88,13 @@ void add_contact(const scene::Problem<dim>& problem, const std::array<scene::Pro
     pair.of_differences += of_difference;
     pair.of_contact_difference.push_back(of_difference);
   }
+}
+
+/// In space contact but presses.
+void add_contact(const scene::Problem<3>&, const std::array<scene::Problem<3>, 2>&, const std::vector<double>& contact,
+                 PerturbedPair<3>& pair) {
+  for (const double share : contact) pair.of_means += 2 * share;
+  pair.of_contact_difference.assign(contact.size(), 0);
 }
 
 template <int dim>
@@ -125,25 +130,52 @@ PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, const std::arr
   return pair;
 }
 
+template <int dim>
+dual::Result<dim> stresses_of(const Solvers<dim>& solvers, const scene::Problem<dim>& problem,
+                              const std::vector<char>& closed = {}) {
+  if constexpr (dim == 2)
+    return solvers.stresses->solve(problem, closed);
+  else
+    return local_stresses(*solvers.displacements, problem, solvers.sweeps);
+}
+
 }  // namespace
+
+template <int dim>
+dual::Result<dim> local_stresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem,
+                                 int sweeps, const std::vector<char>& closed) {
+  const Clock clock;
+  primal::PressureResult<dim> start = displacements.solve_with_pressure(problem, closed);
+  const double of_pressure = clock.seconds();
+  dual::Result<dim> result;
+  if (start.termination == contact::Termination::solved) {
+    result = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
+    result.statistics.seconds.contact += of_pressure;
+  } else {
+    result.termination = start.termination;
+    result.reason = std::move(start.reason);
+  }
+  return result;
+}
 
 template <int dim>
 Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
                         const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
                         const std::array<Closed, 2>& closed) {
+  constexpr auto side_by_side = dim == 2 ? std::launch::async : std::launch::deferred;
   std::array<primal::Result<dim>, 2> displacements;
   std::array<dual::Result<dim>, 2> stresses;
   const std::array<scene::Problem<dim>, 2> perturbed = {scene::perturbed(problem, by, s, -s),
                                                         scene::perturbed(problem, by, -s, s)};
   const auto solve = [&](int i) {
-    stresses[i] = solvers.stresses->solve(perturbed[i], closed[i].dual);
+    stresses[i] = stresses_of(solvers, perturbed[i], closed[i].dual);
     try {
       displacements[i] = solvers.displacements->solve(perturbed[i], closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
       displacements[i].reason = error.what();
     }
   };
-  auto other = std::async(std::launch::async, solve, 1);
+  auto other = std::async(side_by_side, solve, 1);
   solve(0);
   other.get();
   Attempt<dim> attempt;
@@ -185,7 +217,7 @@ FunctionalBound functional_bound(const scene::Problem<dim>& problem,
 template <int dim>
 FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
                                 const std::shared_ptr<const scene::Perturbation<dim>>& by, double f) try {
-  const auto stresses = solvers.stresses->solve(scene::perturbed(problem, by, f, -f));
+  const auto stresses = stresses_of(solvers, scene::perturbed(problem, by, f, -f));
   const auto displacements = solvers.displacements->solve(scene::perturbed(problem, by, 0, f));
   for (const std::string& reason : {displacements.reason, stresses.reason})
     if (!reason.empty()) return {.reason = reason};
@@ -194,14 +226,20 @@ FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solver
   return {.reason = error.what()};
 }
 
-template struct PerturbedPair<2>;
-template Attempt<2> solve_pair(const scene::Problem<2>&, const Solvers<2>&,
-                               const std::shared_ptr<const scene::Perturbation<2>>&, double,
-                               const std::array<Closed, 2>&);
-template FunctionalBound one_sided_bound(const scene::Problem<2>&, const Solvers<2>&,
-                                         const std::shared_ptr<const scene::Perturbation<2>>&, double);
-template FunctionalBound functional_bound(const scene::Problem<2>&,
-                                          const std::shared_ptr<const scene::Perturbation<2>>&, const PerturbedPair<2>&,
-                                          int);
+#define INSTANTIATE(dim)                                                                                    \
+  template struct PerturbedPair<dim>;                                                                       \
+  template dual::Result<dim> local_stresses(const primal::Solver<dim>&, const scene::Problem<dim>&, int,    \
+                                            const std::vector<char>&);                                      \
+  template Attempt<dim> solve_pair(const scene::Problem<dim>&, const Solvers<dim>&,                         \
+                                   const std::shared_ptr<const scene::Perturbation<dim>>&, double,          \
+                                   const std::array<Closed, 2>&);                                           \
+  template FunctionalBound one_sided_bound(const scene::Problem<dim>&, const Solvers<dim>&,                 \
+                                           const std::shared_ptr<const scene::Perturbation<dim>>&, double); \
+  template FunctionalBound functional_bound(const scene::Problem<dim>&,                                     \
+                                            const std::shared_ptr<const scene::Perturbation<dim>>&,         \
+                                            const PerturbedPair<dim>&, int);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -15,8 +15,16 @@ namespace bracket::bounds {
 /// What has factorised a level, and what its contact is expected to be.
 template <int dim> struct Solvers {
   std::shared_ptr<const primal::Solver<dim>> displacements;
-  std::shared_ptr<const dual::Solver<dim>> stresses;
+  std::shared_ptr<const dual::Solver<dim>> stresses;  ///< none in space: see local_stresses()
+  int sweeps = 1;                                     ///< of local_stresses(), where there are none
 };
+/// Stresses star by star, from the displacements with pressures that are linear on each contact facet.
+/// \param sweeps over all stars   \param closed contact facets that the displacements are expected to close; empty:
+/// nothing is known
+/// \return with that termination where there are no such pressures
+template <int dim>
+dual::Result<dim> local_stresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem,
+                                 int sweeps, const std::vector<char>& closed = {});
 struct Closed {
   std::vector<char> primal, dual;
 };

@@ -71,5 +71,7 @@ Attempt<dim> best_pair(const scene::Problem<dim>& problem, const Solvers<dim>& s
 
 template Attempt<2> best_pair(const scene::Problem<2>&, const Solvers<2>&,
                               const std::shared_ptr<const scene::Perturbation<2>>&, const Guess&, double, int);
+template Attempt<3> best_pair(const scene::Problem<3>&, const Solvers<3>&,
+                              const std::shared_ptr<const scene::Perturbation<3>>&, const Guess&, double, int);
 
 }  // namespace bracket::bounds

@@ -46,7 +46,7 @@ Functionals<2> mean_slip(const scene::Scene<2>& scene, const Problem<2>& first, 
                                    scene::point(a), scene::point(b)));
     }
     perturbation.contact[j].shear = {1, 1};
-    length += facet_length(first, first.contact[j].first);
+    length += facet_size(first, first.contact[j].first);
   }
   return linear(std::move(perturbation), length);
 }

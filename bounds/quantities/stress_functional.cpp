@@ -3,38 +3,49 @@
 
 #include <algorithm>
 
-#include "bounds/certificate/corrections.h"
 #include "bounds/quantities/parts.h"
 
 namespace bracket::bounds {
 
-using scene::Enclosure;
 using scene::Perturbation;
 using scene::Problem;
 using scene::Quantity;
-using scene::Support;
+using scene::StressComponent;
 using scene::TwofoldVector;
 using scene::Vector;
 
 namespace {
 
-/// E₀ x by components, exact: E₀ has entries 0, ½ and 1.
-TwofoldVector<2> times(scene::StressComponent component, const TwofoldVector<2>& x) {
-  const auto on = [&](const Vector<2>& v) -> Vector<2> {
-    switch (component) {
-      case scene::StressComponent::xx: return {v[0], 0};
-      case scene::StressComponent::yy: return {0, v[1]};
-      case scene::StressComponent::xy: return {v[1] / 2, v[0] / 2};
-      case scene::StressComponent::mean: break;
-    }
-    return v / 2;
+/// The indices of a component; of the mean none.
+std::array<int, 2> indices(StressComponent component) {
+  switch (component) {
+    case StressComponent::xx: return {0, 0};
+    case StressComponent::yy: return {1, 1};
+    case StressComponent::xy: return {0, 1};
+    case StressComponent::zz: return {2, 2};
+    case StressComponent::yz: return {1, 2};
+    case StressComponent::xz: return {0, 2};
+    case StressComponent::mean: break;
+  }
+  return {-1, -1};
+}
+
+/// E₀ x by components, exact: E₀ has entries 0, ½ and 1; of the mean, `dim` times of it in space.
+template <int dim> TwofoldVector<dim> times(StressComponent component, const TwofoldVector<dim>& x) {
+  const auto [i, k] = indices(component);
+  const auto on = [&](const Vector<dim>& v) -> Vector<dim> {
+    if (i < 0) return dim == 2 ? Vector<dim>(v / 2) : v;
+    Vector<dim> result = Vector<dim>::Zero();
+    result[i] = i == k ? v[i] : v[k] / 2;
+    if (i != k) result[k] = v[i] / 2;
+    return result;
   };
   return {on(x.value), on(x.rest)};
 }
 
 }  // namespace
 
-Functionals<2> mean_stress(const Problem<2>& first, const Quantity<2>& quantity) {
+template <int dim> Functionals<dim> mean_stress(const Problem<dim>& first, const Quantity<dim>& quantity) {
   const auto& mesh = first.mesh;
   const int body = body_named(first, quantity);
   int component = -1, anchor = -1;
@@ -43,39 +54,31 @@ Functionals<2> mean_stress(const Problem<2>& first, const Quantity<2>& quantity)
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     if ((mesh.cell_component[c] == component) != (mesh.cell_body[c] == body))
       refuse(quantity, fmt::format("body '{}' is not one piece of its own", quantity.of));
-  const Vector<2> centre = mesh.vertices[anchor];
-  const auto [corrections, reason] = corrected<Enclosure, LongSum>(first);
+  const Vector<dim> centre = mesh.vertices[anchor];
+  const auto displacement = [&](int v) {
+    return times<dim>(quantity.component, scene::difference<dim>(centre, mesh.vertices[v]));
+  };
+  const auto [known, reason] = work_of_data(first, component, displacement);
   if (!reason.empty()) refuse(quantity, reason);
 
-  Perturbation<2> perturbation = scene::no_perturbation(first);
-  LongSum known;
-  const std::vector<int> by_first = scene::contacts_by_first(first);
-  for (std::size_t f = 0; f < mesh.boundary.size(); ++f) {
-    if (mesh.cell_component[mesh.boundary[f].cell] != component) continue;
-    std::array<TwofoldVector<2>, 2> u;
-    for (int i = 0; i < 2; ++i)
-      u[i] = times(quantity.component, scene::difference<2>(centre, mesh.vertices[mesh.boundary[f].vertices[i]]));
-    perturbation.facets[f].displacement = u;
-    if (first.facets[f].support == Support::contact && by_first[f] >= 0)
-      for (int i = 0; i < 2; ++i) perturbation.contact[by_first[f]].first[i] = u[i];
-    if (first.facets[f].support == Support::traction && carries_load(first, corrections, static_cast<int>(f)))
-      known.add(linear_product<Enclosure>(prescribed_load(first, corrections, static_cast<int>(f)).linear,  // as E₀x
-                                          {vector2<Enclosure>(u[0]), vector2<Enclosure>(u[1])}));
+  Perturbation<dim> perturbation = scene::no_perturbation(first);
+  for (std::size_t f = 0; f < mesh.boundary.size(); ++f)
+    if (mesh.cell_component[mesh.boundary[f].cell] == component)
+      for (int i = 0; i < dim; ++i) perturbation.facets[f].displacement[i] = displacement(mesh.boundary[f].vertices[i]);
+  for (std::size_t j = 0; j < first.contact.size(); ++j) {
+    const auto& pair = first.contact[j];
+    for (int i = 0; i < dim; ++i) {  // nothing on other components
+      perturbation.contact[j].first[i] = perturbation.facets[pair.first].displacement[i];
+      if (pair.second >= 0)
+        perturbation.contact[j].second[i] = perturbation.facets[pair.second].displacement[pair.meets[i]];
+    }
   }
-  for (std::size_t j = 0; j < first.contact.size(); ++j)
-    if (const int second = first.contact[j].second;
-        second >= 0 && mesh.cell_component[mesh.boundary[second].cell] == component)
-      for (int i = 0; i < 2; ++i) perturbation.contact[j].second[i] = perturbation.facets[second].displacement[1 - i];
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    if (mesh.cell_body[c] != body || !has_force(first, body)) continue;
-    const int cell = static_cast<int>(c);
-    const auto x = corners<Enclosure>(first, cell);
-    Vector2<Enclosure> sum;  // three times E₀ at the centroid
-    for (const int v : mesh.cells[c])
-      sum = sum + vector2<Enclosure>(times(quantity.component, scene::difference<2>(centre, mesh.vertices[v])));
-    known.add(doubled_area(x) / Enclosure(6) * dot(body_force<Enclosure>(first, body), sum));
-  }
-  return linear(std::move(perturbation), body_area(first, body), known.value());
+  const bool of_trace = dim == 3 && quantity.component == StressComponent::mean;
+  const scene::Enclosure volume = body_size(first, body);
+  return linear(std::move(perturbation), of_trace ? scene::Enclosure(dim) * volume : volume, known);
 }
+
+template Functionals<2> mean_stress(const Problem<2>&, const Quantity<2>&);
+template Functionals<3> mean_stress(const Problem<3>&, const Quantity<3>&);
 
 }  // namespace bracket::bounds

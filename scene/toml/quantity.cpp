@@ -64,7 +64,9 @@ template <int dim> Quantity<dim> read_quantity(const toml::table& entry) {
     return node;
   };
   using enum QuantityKind;
-  if (const toml::node* direction = belongs("direction", {displacement, body, reaction});
+  const bool turns = dim == 3 && quantity.kind == rotation;
+  if (const toml::node* direction =
+          turns ? entry.get("direction") : belongs("direction", {displacement, body, reaction});
       direction != nullptr && direction->value<std::string>() != "normal") {
     quantity.direction = vector<dim>(*direction, called + ".direction");
   } else if (direction == nullptr &&
@@ -78,7 +80,8 @@ template <int dim> Quantity<dim> read_quantity(const toml::table& entry) {
   else if (component != nullptr)
     quantity.component = choice<StressComponent>(*component, called + ".component");
   else if (quantity.kind == stress)
-    refuse(entry, "quantity.stress needs a component: xx, yy, xy or mean");
+    refuse(entry, fmt::format("quantity.stress needs a component: {} or mean",
+                              dim == 2 ? "xx, yy, xy" : "xx, yy, zz, xy, yz, xz"));
   const toml::node* from = belongs("from", {force, opening});
   const toml::node* to = belongs("to", {force, opening});
   if (from != nullptr || to != nullptr) {

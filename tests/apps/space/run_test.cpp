@@ -110,9 +110,42 @@ TEST_F(RunInSpace, CheckNamesTheMotionsThatAreFree) {
   EXPECT_NE(json["motions"][1]["free"][0].get<std::string>().find("moving it by (0, 1, 0)"), std::string::npos);
 }
 
+// Forces are half of the plane's, displacements, rotations and stresses the same.
+TEST_F(RunInSpace, QuantitiesHaveThePlanesKeysAndMeetItsIntervals) {
+  const std::string in_both = R"([[quantity]]
+name = "push"
+force = "upper.bottom"
+[[quantity]]
+stress = "lower"
+component = "yy"
+)";
+  write("asked.toml", std::string(two_boxes) + in_both +
+                          "[[quantity]]\nname = \"lift\"\ndisplacement = \"upper.top\"\ndirection = [0, 1, 0]\n" +
+                          "[[quantity]]\nname = \"turn\"\nrotation = \"upper.right\"\ndirection = [0, 0, 1]\n");
+  write("plane.toml", std::string(two_blocks) + in_both +
+                          "[[quantity]]\nname = \"lift\"\ndisplacement = \"upper.top\"\ndirection = [0, 1]\n" +
+                          "[[quantity]]\nname = \"turn\"\nrotation = \"upper.right\"\n");
+  const Json space = Json::parse(shell("bracket run asked.toml --json --no-report").out);
+  const Json plane = Json::parse(shell("bracket run plane.toml --json --no-report").out);
+  ASSERT_EQ(space["quantities"].size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json &one = space["quantities"][i], &other = plane["quantities"][i];
+    for (const auto& [key, value] : other.items()) EXPECT_TRUE(one.contains(key)) << key;
+    const double factor = i == 0 ? 0.5 : 1;
+    EXPECT_LE(one["lower"].get<double>(), factor * other["upper"].get<double>()) << one["name"];
+    EXPECT_GE(one["upper"].get<double>(), factor * other["lower"].get<double>()) << one["name"];
+  }
+  EXPECT_EQ(std::ranges::count(read("asked.out/quantities.csv"), '\n'), 5);
+  const Ended told = shell("bracket run asked.toml --no-report");
+  for (const char* line : {"● push", " N ", "● turn", " rad ", "● stress yy of lower", " MPa "})
+    EXPECT_NE(told.out.find(line), std::string::npos) << line << "\n" << told.out;
+  const Ended checked = shell("bracket check asked.toml");
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_NE(checked.out.find("quantity: lift\n"), std::string::npos) << checked.out;
+}
+
 TEST_F(RunInSpace, WhatSpaceDoesNotHaveIsRefusedInOneLine) {
-  const std::string quantity = std::string(two_boxes) + "[[quantity]]\nname = \"energy\"\nenergy = true\n";
-  write("quantity.toml", quantity);
+  write("quantity.toml", std::string(two_boxes) + "[[quantity]]\nslip = \"upper.bottom\"\n");
   write("field.csv", "x,y,z,ux,uy,uz\n");
   for (const std::string command :
        {"study boxes.toml", "extremes boxes.toml", "assess boxes.toml field.csv", "run quantity.toml",
