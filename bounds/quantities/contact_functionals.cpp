@@ -106,12 +106,9 @@ Functionals<dim> contact_work_functionals(const Problem<dim>& problem,
 template <int dim>
 Functionals<dim> contact_force(const scene::Scene<dim>& scene, const Problem<dim>& first,
                                const Quantity<dim>& quantity) {
-  const ContactWeights<dim> weights = contact_weights(scene, first, quantity);
+  ContactWeights<dim> weights = contact_weights(scene, first, quantity);
   const bool two_sided = scene::is_two_sided(scene.contact[pair_named(scene, quantity.of, quantity.where)]);
-  if (dim == 3 && two_sided && weights.below != weights.above)
-    refuse(quantity,
-           "its weight is known up to rounding only, and where the sides cannot lift off the pressure has either sign; "
-           "expected one that is a short number at the nodes, or the whole contact");
+  if (two_sided) weights.above = weights.below;  // p has either sign: the weight is what it was rounded to
   Functionals<dim> result = contact_work_functionals(first, negated<dim>(weights.above), negated<dim>(weights.below));
   result.non_negative = is_non_negative<dim>(weights.below) && !two_sided;
   result.weighted = weights.weighted;

@@ -45,12 +45,11 @@ template <int dim> Functionals<dim> half_of_data(const Problem<dim>& first, cons
     return std::make_shared<const Perturbation<dim>>(std::move(result));
   };
   const FacetWeights<dim> below = gaps_of(first, false), above = gaps_of(first, true);
-  if constexpr (dim == 3)
-    for (std::size_t j = 0; j < below.size(); ++j)
-      if (first.contact[j].law.two_sided && below[j] != above[j])
-        refuse(quantity,
-               "the gap of sides that keep together is rounded, and their pressure of either sign: no bounds of the "
-               "energy follow");
+  for (std::size_t j = 0; j < below.size(); ++j)
+    if (first.contact[j].law.two_sided && below[j] != above[j])
+      refuse(quantity,
+             "the gap of sides that keep together is rounded, and their pressure of either sign: no bounds of the "
+             "energy follow");
   Functionals<dim> result;
   result.above = with(below);
   result.below = below == above ? result.above : with(above);

@@ -54,6 +54,29 @@ TEST(LawQuantities, WidthsBesideSpringsAreSumsOfSquares) {
   EXPECT_GE(wide, 16);  // of 32: others are known by statics
 }
 
+// Where p has either sign a weight or a gap between two bounds would bound nothing.
+TEST(LawQuantities, OfSidesThatKeepTogetherHaveOneWeight) {
+  auto scene = with_law(two_blocks(3), {"", Law::bilateral});
+  const auto third = scene::enclosed<2>([](const auto& x) { return x[0] * x[0] / 3; });
+  const auto force = weighted(quantity(QuantityKind::force, "upper.bottom"), third);
+  const auto functional = bounds::functionals(scene, tests::problem(scene), force);
+  EXPECT_EQ(functional.above, functional.below);
+  auto free = scene;
+  free.contact[0].law = Law::frictionless;
+  EXPECT_NE(bounds::functionals(free, tests::problem(free), force).above, functional.above);
+
+  const auto energy = quantity(QuantityKind::energy, "");
+  const scene::Function<2> rounded = scene::enclosed<2>([](const auto& x) { return 0.1 * x[0] * x[0] / 3 + 0.1; });
+  const scene::Function<2> exact = scene::enclosed<2>([](const auto& x) { return 0.25 + 0 * x[0]; });
+  for (auto* s : {&scene, &free}) {
+    s->contact[0].gap = exact;
+    EXPECT_NO_THROW(bounds::functionals(*s, tests::problem(*s), energy));
+  }
+  scene.contact[0].gap = free.contact[0].gap = rounded;
+  EXPECT_NO_THROW(bounds::functionals(free, tests::problem(free), energy));
+  EXPECT_THROW(bounds::functionals(scene, tests::problem(scene), energy), scene::Error);
+}
+
 // A footing of ν = 0 under the pressure a + b x, x from its middle: u_y = −(a + b x)(y/E + 1/k), as far as the springs
 // press or pull. Both spaces have it, and none of the interval is left.
 TEST(LawQuantities, AFootingOnSpringsIsExact) {
