@@ -108,8 +108,13 @@ scene::Scene<3> something(int n, unsigned seed) {
 // Each is an interval around one number, on whatever mesh; where its weight falls to zero over the faces of the first
 // mesh, on those that begin with the same.
 TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
-  int narrow = 0;
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr unsigned seeds = 2;  // one of each kind: Release has all
+#else
+  constexpr unsigned seeds = 4;
+#endif
+  unsigned narrow = 0;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
     std::mt19937 generator(seed);
     std::vector<Quantity> asked = some_of_each(generator);
     if (seed % 2 == 0)  // the sides keep together
@@ -134,7 +139,7 @@ TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
       narrow += upper - lower < 0.2 * std::max(std::abs(lower), std::abs(upper));
     }
   }
-  EXPECT_GE(narrow, 12);
+  EXPECT_GE(narrow, 3 * seeds);
 }
 
 // The problems with data added, loads on contact faces among them, have both formulations and the gap identity.

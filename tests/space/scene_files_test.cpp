@@ -75,7 +75,12 @@ TEST(SceneFilesInSpace, an_octant_takes_no_less_energy_than_hertz_half_space) {
 
 // What closure makes besides what is marked, and what becomes of shapes, where errors say what is marked.
 TEST(SceneFilesInSpace, refinement_makes_few_cells_and_keeps_shapes) {
-  for (const char* name : {"bolted_joint", "fichera", "hertz", "lift_off", "trough"}) {
+#ifdef __SANITIZE_ADDRESS__
+  const std::vector<const char*> names = {"lift_off"};  // Release has all
+#else
+  const std::vector<const char*> names = {"bolted_joint", "fichera", "hertz", "lift_off", "trough"};
+#endif
+  for (const char* name : names) {
     const scene::Scene<3> scene = from_file(name, 1);
     scene::Problem<3> problem = scene::fix_data(scene, scene::build_mesh(scene));
     const double first = scene::quality(problem.mesh).smallest_shape;

@@ -11,6 +11,8 @@ namespace bracket {
 
 namespace {
 
+[[noreturn]] void refuse() { throw std::logic_error("no scene of these tests asks for it"); }
+
 /// The displacement prescribed at the sliding top, along its normal, by the height: e22.
 double strain(const scene::Problem<2>& problem) {
   double lowering = 0, low = 0, high = 0;
@@ -41,6 +43,7 @@ template <int dim>
 Solver<dim>::Solver(const scene::Problem<dim>&, int degree, bool)
     : factorised_(std::make_shared<const Factorised>(Factorised{degree})) {}
 
+template <> Result<3> Solver<3>::solve(const scene::Problem<3>&, const std::vector<char>&) const { refuse(); }
 template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&) const {
   const int degree = factorised_->degree;
   const auto& mesh = problem.mesh;
@@ -54,17 +57,26 @@ template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& pro
   return result;
 }
 
+template <int dim>
+PressureResult<dim> Solver<dim>::solve_with_pressure(const scene::Problem<dim>&, const std::vector<char>&) const {
+  refuse();
+}
+
 template void check_prescribed(const scene::Problem<2>&, int);
+template void check_prescribed(const scene::Problem<3>&, int);
 template class Solver<2>;
+template class Solver<3>;
 
 }  // namespace primal
 
 namespace dual {
 
 template <int dim> struct Solver<dim>::Factorised {};
-template <int dim> Solver<dim>::Solver(const scene::Problem<dim>&, int) {}
+template <int dim> Solver<dim>::Solver(const scene::Problem<dim>&, int, Shear) {}
 
-template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&) const {
+template <int dim>
+Result<dim> Solver<dim>::solve(const scene::Problem<dim>& problem, const std::vector<char>&,
+                               const Eigen::VectorXd&) const {
   Result<dim> result;
   const scene::Voigt<dim> uniform(0, strain(problem) / problem.bodies[0].material.compliance()(1, 1), 0);
   result.stress.cell.assign(problem.mesh.cells.size(), std::vector<scene::Voigt<dim>>(9, uniform));
@@ -74,10 +86,19 @@ template <int dim> Result<dim> Solver<dim>::solve(const scene::Problem<dim>& pro
 
 template <int dim>
 Result<dim> uzawa(const scene::Problem<dim>&, const scene::Stress<dim>&, const std::function<bool()>&) {
-  throw std::logic_error("no scene of these tests asks for it");
+  refuse();
+}
+template <int dim>
+Result<dim> local(const scene::Problem<dim>&, const std::vector<std::array<double, std::size_t{dim}>>&,
+                  const scene::Displacement<dim>&, int) {
+  refuse();
 }
 
 template class Solver<2>;
+template Result<2> local(const scene::Problem<2>&, const std::vector<std::array<double, 2>>&,
+                         const scene::Displacement<2>&, int);
+template Result<3> local(const scene::Problem<3>&, const std::vector<std::array<double, 3>>&,
+                         const scene::Displacement<3>&, int);
 template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&, const std::function<bool()>&);
 
 }  // namespace dual
