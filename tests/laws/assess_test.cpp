@@ -56,27 +56,14 @@ void expect_distances(const Scene<2>& scene, const Motion& exact) {
 
 constexpr double young = 3;
 
-/// A block without side-strain (ν = 0) on a wall at its bottom, its top moved by (along, −down), with the shear t at
-/// its sides.
-Scene<2> block_on_wall(double along, double down, double t, const NamedLaw& law) {
-  Scene<2> s;
-  s.blocks = {block("b", 0, 2, 0, 1, 3, 2)};
-  s.bodies = {{"b", scene::isotropic<2>(young, 0, scene::Plane::strain)}};
-  s.boundary = {{"b.top", fixed(along, -down)},
-                {"b.right", traction(constant(0), constant(t))},
-                {"b.left", traction(constant(0), constant(-t))}};
-  s.contact = {{"b.bottom", "rigid", {}, ""}};
-  return with_law(s, law);
-}
-
 TEST(AssessLaws, friction_that_holds_or_slips) {
   constexpr double shear = young / 2, down = 0.25;
   for (const bool lifts_off : {true, false}) {
     SCOPED_TRACE(lifts_off);
     const NamedLaw law = {"", Law::tresca, constant(0.375), lifts_off};
-    expect_distances(block_on_wall(0.125, down, shear * 0.125, law),
+    expect_distances(block_on_wall(young, 0.125, down, shear * 0.125, law),
                      [](const Vector<2>& x) { return Vector<2>(0.125 * x[1], -down * x[1]); });
-    expect_distances(block_on_wall(0.75, down, 0.375, law),
+    expect_distances(block_on_wall(young, 0.75, down, 0.375, law),
                      [](const Vector<2>& x) { return Vector<2>(0.5 + 0.25 * x[1], -down * x[1]); });
   }
 }
@@ -85,13 +72,13 @@ TEST(AssessLaws, springs_give_way) {
   constexpr double k = 3, down = 0.25, pressure = down / (1 / young + 1 / k);
   for (const bool lifts_off : {true, false})
     for (const double sign : lifts_off ? std::vector<double>{1} : std::vector<double>{1, -1})
-      expect_distances(block_on_wall(0, sign * down, 0, {"", Law::winkler, constant(k), lifts_off}),
+      expect_distances(block_on_wall(young, 0, sign * down, 0, {"", Law::winkler, constant(k), lifts_off}),
                        [=](const Vector<2>& x) { return Vector<2>(0, -sign * pressure * (1 / k + x[1] / young)); });
 }
 
 TEST(AssessLaws, sides_that_keep_together) {
   for (const double down : {0.25, -0.25})
-    expect_distances(block_on_wall(0, down, 0, {"", Law::bilateral}),
+    expect_distances(block_on_wall(young, 0, down, 0, {"", Law::bilateral}),
                      [=](const Vector<2>& x) { return Vector<2>(0, -down * x[1]); });
 }
 

@@ -74,14 +74,7 @@ TEST(Laws, ABarThatIsPulledOffIsNamed) {
 /// A block without side-strain (ν = 0), its top moved by (along, −down), its bottom on a wall with friction; sides
 /// carry the shear t of the state of uniform shear.
 Scene<2> sheared(double along, double down, double bound, double t) {
-  Scene<2> s;
-  s.blocks = {block("b", 0, 2, 0, 1, 3, 2)};
-  s.bodies = {{"b", scene::isotropic<2>(young, 0, scene::Plane::strain)}};
-  s.boundary = {{"b.top", fixed(along, -down)},
-                {"b.right", traction(constant(0), constant(t))},
-                {"b.left", traction(constant(0), constant(-t))}};
-  s.contact = {{"b.bottom", "rigid", {}, ""}};
-  return with_law(s, {"", Law::tresca, constant(bound)});
+  return block_on_wall(young, along, down, t, {"", Law::tresca, constant(bound)});
 }
 
 // With G = E/2: sticks while G along < g, slips by along − g/G beyond. What the sides carry does no work.

@@ -22,6 +22,19 @@ inline scene::Scene<2> with_law(scene::Scene<2> s, const NamedLaw& law) {
   return s;
 }
 
+/// A block without side-strain (ν = 0) on a wall at its bottom, its top moved by (along, −down), with the shear t at
+/// its sides.
+inline scene::Scene<2> block_on_wall(double young, double along, double down, double t, const NamedLaw& law) {
+  scene::Scene<2> s;
+  s.blocks = {block("b", 0, 2, 0, 1, 3, 2)};
+  s.bodies = {{"b", scene::isotropic<2>(young, 0, scene::Plane::strain)}};
+  s.boundary = {{"b.top", fixed(along, -down)},
+                {"b.right", traction(constant(0), constant(t))},
+                {"b.left", traction(constant(0), constant(-t))}};
+  s.contact = {{"b.bottom", "rigid", {}, ""}};
+  return with_law(s, law);
+}
+
 /// Each law, with values that are constant and linear, for loads and moduli of about one.
 inline std::vector<NamedLaw> laws() {
   using scene::Law;

@@ -4,37 +4,17 @@
 #include <cmath>
 
 #include "tests/quantities/asked.h"
+#include "tests/quantities/known.h"
 
 // Quantities of scenes whose solution is known: their exact values are in each level's interval.
 namespace bracket::tests {
 namespace {
 
-struct Known {
-  Quantity<2> quantity;
-  double value;
-  double width;  ///< at most, of the last level
-};
+using Known = KnownQuantity<2>;
 
 void expect_inside(const scene::Scene<2>& scene, const std::vector<Known>& known, const scene::Refine& refine,
                    std::size_t levels) {
-  std::vector<Quantity<2>> asked;
-  for (const Known& one : known) asked.push_back(one.quantity);
-  const auto outcome = outcome_of(scene, asked, refine);
-  ASSERT_NE(outcome.guarantee, "none") << outcome.reason;
-  ASSERT_EQ(outcome.quantities.size(), known.size());
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    const auto& interval = outcome.quantities[i];
-    SCOPED_TRACE(interval.name);
-    EXPECT_EQ(interval.reason, "");
-    ASSERT_EQ(interval.levels.size(), levels);
-    // The exact value is known in doubles only.
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(known[i].value), 1e-3);
-    for (const auto& level : interval.levels) {
-      EXPECT_LE(level.lower, known[i].value + rounding) << level.cells;
-      EXPECT_GE(level.upper, known[i].value - rounding) << level.cells;
-    }
-    EXPECT_LE(interval.upper - interval.lower, known[i].width);
-  }
+  tests::expect_inside(outcome_of(scene, quantities_of(known), refine), known, levels);
 }
 
 const scene::Refine three_uniform = {.strategy = scene::Strategy::uniform, .max_levels = 3};

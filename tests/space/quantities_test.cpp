@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tests/quantities/known.h"
 #include "tests/space/asked.h"
 
 // Quantities of scenes whose solution is known: their exact values are in each level's interval.
@@ -12,32 +13,11 @@ namespace {
 using namespace tests::space;
 using scene::StressComponent;
 
-struct Exact {
-  Quantity quantity;
-  double value;
-  double width;  ///< at most, of the last level
-};
+using Exact = tests::KnownQuantity<3>;
 
 void expect_inside(const scene::Scene<3>& scene, const std::vector<Exact>& known, const scene::Refine& refine,
                    std::size_t levels) {
-  std::vector<Quantity> asked;
-  for (const Exact& one : known) asked.push_back(one.quantity);
-  const auto outcome = outcome_of(scene, asked, refine);
-  ASSERT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
-  ASSERT_EQ(outcome.quantities.size(), known.size());
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    const auto& interval = outcome.quantities[i];
-    SCOPED_TRACE(interval.name);
-    EXPECT_EQ(interval.reason, "");
-    ASSERT_EQ(interval.levels.size(), levels);
-    // The exact value is known in doubles only.
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(known[i].value), 1e-3);
-    for (const auto& level : interval.levels) {
-      EXPECT_LE(level.lower, known[i].value + rounding) << level.cells;
-      EXPECT_GE(level.upper, known[i].value - rounding) << level.cells;
-    }
-    EXPECT_LE(interval.upper - interval.lower, known[i].width);
-  }
+  tests::expect_inside(outcome_of(scene, tests::quantities_of(known), refine), known, levels);
 }
 
 const scene::Refine two_uniform = {.strategy = scene::Strategy::uniform, .max_levels = 2};
