@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-#include "bounds/certificate/functional.h"
 #include "bounds/certificate/open_contact.h"
-#include "bounds/certificate/space/functional.h"
+#include "bounds/certificate/perturbation_alone.h"
 #include "bounds/free_motions.h"
 #include "bounds/quantities/line.h"
 #include "scene/text.h"
@@ -49,13 +48,6 @@ std::vector<Asked<2>> zones(const scene::Scene<2>& scene, const scene::Problem<2
 /// In space no lines, and no stretches of them.
 std::vector<Asked<3>> zones(const scene::Scene<3>&, const scene::Problem<3>&, int) { return {}; }
 
-scene::Problem<2> alone(const scene::Problem<2>& problem, const std::shared_ptr<const scene::Perturbation<2>>& by) {
-  return perturbation_alone(problem, by, problem.carries);
-}
-scene::Problem<3> alone(const scene::Problem<3>& problem, const std::shared_ptr<const scene::Perturbation<3>>& by) {
-  return space::perturbation_alone(problem, by, problem.carries);
-}
-
 /// One of the motions alone that does it, for people to see. \param rows, limits as for contact::balance()
 std::optional<Eigen::VectorXd> simplest(const Eigen::MatrixXd& rows, const contact::Limits& limits,
                                         const Eigen::VectorXd& work, double rounding) {
@@ -78,7 +70,8 @@ Undetermined undetermined(const scene::Problem<dim>& problem,
   const FreeMotions<dim> all = all_free_motions(problem);
   Undetermined result;
   if (all.motion.empty()) return result;
-  const LoadWork own = load_work(problem, all), added = load_work(alone(problem, by), all);
+  const LoadWork own = load_work(problem, all),
+                 added = load_work(perturbation_alone(problem, by, problem.carries), all);
   if (added.size == 0) return result;
   const auto [contact, limits, friction] = holding(problem, all);
   Eigen::MatrixXd rows(contact.rows() + 1, contact.cols());

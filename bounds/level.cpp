@@ -44,8 +44,8 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   solved.primal = solver->solve(problem, meshed.primal_closed);
   solved.level.seconds.primal = clock.lap();
   if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
-  const int sweeps =
-      scene.solve.sweeps.value_or(scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh))));
+  const int sweeps = scene.solve.sweeps ? *scene.solve.sweeps
+                                        : scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh)));
   solved.dual = local_stresses(*solver, problem, sweeps, solved.primal.closed);
   solved.unsolved = solved.dual.reason;
   if (keep) solved.solvers = {std::move(solver), nullptr, sweeps};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bounds/certificate/functional.h"
+#include "bounds/certificate/perturbation_alone.h"
 #include "bounds/certificate/sides.h"
 
 namespace bracket::bounds {
@@ -20,10 +21,6 @@ std::vector<Corrected<Enclosure>> sum(std::vector<Corrected<Enclosure>> base, do
   }
   return base;
 }
-
-}  // namespace
-
-namespace {
 
 /// What the loads of the perturbation lack of balance along motions that nothing holds, where there are any.
 Corrections<Enclosure> functional_corrections(const scene::Problem<2>& problem, const scene::Stress<2>& stress) {

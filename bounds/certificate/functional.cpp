@@ -3,21 +3,6 @@
 
 namespace bracket::bounds {
 
-scene::Problem<2> perturbation_alone(const scene::Problem<2>& first, std::shared_ptr<const scene::Perturbation<2>> by,
-                                     std::vector<char> carrying) {
-  scene::Problem<2> bare = first;
-  bare.carries = std::move(carrying);
-  for (auto& body : bare.bodies) body.force.setZero();
-  for (auto& facet : bare.facets) {
-    facet.traction = scene::at_vertices<2>(scene::Vector<2>(scene::Vector<2>::Zero()));
-    facet.pressure = {0, 0};
-    facet.higher_traction = facet.traction;
-    facet.higher_pressure = {0, 0};
-    facet.correction = facet.traction;
-  }
-  return scene::perturbed(bare, std::move(by), 1, 0);
-}
-
 bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<Enclosure>>& corrections) {
   double most = 0;
   for (const auto& [facet, load] : corrections)

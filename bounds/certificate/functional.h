@@ -7,12 +7,6 @@
 /// The functional J of a perturbation, at fields that are admissible for a problem perturbed by it.
 namespace bracket::bounds {
 
-/// The first mesh with the loads of the perturbation alone, which corrections are to balance along motions on which
-/// neither supports act nor pairs that carry.
-/// \param first the problem that is perturbed, on its first mesh   \param carrying of each pair, when perturbed
-scene::Problem<2> perturbation_alone(const scene::Problem<2>& first, std::shared_ptr<const scene::Perturbation<2>> by,
-                                     std::vector<char> carrying);
-
 /// Whether corrections are but rounding of the perturbation's loads; else it does work in a motion that nothing holds.
 bool are_rounding(const scene::Problem<2>& alone, const std::vector<Corrected<Enclosure>>& corrections);
 

@@ -132,11 +132,11 @@ PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, const std::arr
 
 template <int dim>
 dual::Result<dim> stresses_of(const Solvers<dim>& solvers, const scene::Problem<dim>& problem,
-                              const std::vector<char>& closed = {}) {
+                              const Closed& closed = {}) {
   if constexpr (dim == 2)
-    return solvers.stresses->solve(problem, closed);
+    return solvers.stresses->solve(problem, closed.dual);
   else
-    return local_stresses(*solvers.displacements, problem, solvers.sweeps);
+    return local_stresses(*solvers.displacements, problem, solvers.sweeps, closed.primal);
 }
 
 }  // namespace
@@ -168,7 +168,7 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
   const std::array<scene::Problem<dim>, 2> perturbed = {scene::perturbed(problem, by, s, -s),
                                                         scene::perturbed(problem, by, -s, s)};
   const auto solve = [&](int i) {
-    stresses[i] = stresses_of(solvers, perturbed[i], closed[i].dual);
+    stresses[i] = stresses_of(solvers, perturbed[i], closed[i]);
     try {
       displacements[i] = solvers.displacements->solve(perturbed[i], closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds/certificate/perturbation_alone.h"
 #include "bounds/certificate/space/functional.h"
 #include "bounds/certificate/space/sides.h"
 

@@ -5,18 +5,6 @@
 
 namespace bracket::bounds::space {
 
-scene::Problem<3> perturbation_alone(const scene::Problem<3>& first, std::shared_ptr<const scene::Perturbation<3>> by,
-                                     std::vector<char> carrying) {
-  scene::Problem<3> bare = first;
-  bare.carries = std::move(carrying);
-  for (auto& body : bare.bodies) body.force.setZero();
-  for (auto& facet : bare.facets) {
-    facet.traction = facet.correction = scene::at_vertices<3>(scene::Vector<3>(scene::Vector<3>::Zero()));
-    facet.pressure = {0, 0, 0};
-  }
-  return scene::perturbed(bare, std::move(by), 1, 0);
-}
-
 bool are_rounding(const scene::Problem<3>& alone, const std::vector<Corrected<Enclosure>>& corrections) {
   double most = 0;
   for (const auto& [facet, load] : corrections)
