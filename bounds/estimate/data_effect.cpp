@@ -6,6 +6,7 @@
 
 #include "bounds/estimate/on_mesh.h"
 #include "scene/problem/difference.h"
+#include "scene/problem/given_gap.h"
 #include "scene/problem/stretch.h"
 #include "scene/quadrature.h"
 
@@ -127,17 +128,44 @@ double effect_on_facet(const scene::Condition<2>& given, const scene::Problem<2>
   return effect;
 }
 
-/// ∫ p_h |g − g_h| of a gap that is sampled.
-double effect_of_gap(const scene::Function<2>& gap, const scene::Problem<2>& problem, const scene::ContactFacet& pair,
-                     const std::vector<double>& pressure) {
+/// What the sides of a contact facet are asked for, fixed there by a quadratic: they press or rub with these forces per
+/// area, by Bernstein coefficients.
+double effect_of_quadratic(const scene::Function<2>& given, const scene::Problem<2>& problem,
+                           const scene::ContactFacet& pair, const std::array<double, 3>& quadratic,
+                           const std::vector<double>& force, double stiffness) {
   const auto& [a, b] = scene::positions(problem.mesh, problem.mesh.boundary[pair.first].vertices);
-  const std::vector<double> fixed(pair.lower.begin(), pair.lower.end());
-  double sum = 0;
-  for (const auto& [x, weight] : scene::gauss_points<5>()) {
-    const double s = (1 + x) / 2, moved = gap((1 - s) * a + s * b) - scene::value_on_segment(fixed, s);
-    sum += weight / 2 * std::abs(scene::value_on_segment(pressure, s) * moved);
-  }
-  return scene::length(problem.mesh, pair.first) * sum;
+  const auto fixed = scene::cubic_of(quadratic);
+  const Panels panels = scene::difference(given, a, b, fixed);
+  if (is_rounding(panels, fixed, a, b)) return 0;
+  std::vector<Vector<2>> traction;
+  for (const double value : force) traction.emplace_back(value, 0);
+  return effect_of_displacement(panels, scene::length(problem.mesh, pair.first), traction, Vector<2>::UnitX(),
+                                stiffness);
+}
+
+/// Of the softer side: both follow together no more stiffly.
+double stiffness_of_sides(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
+  const auto of = [&](int facet) {
+    const auto stiffness = body_of(problem, problem.mesh.boundary[facet].cell).material.stiffness();
+    return std::max(stiffness(0, 0), stiffness(1, 1));
+  };
+  return pair.second == -1 ? of(pair.first) : std::min(of(pair.first), of(pair.second));
+}
+
+/// Of a gap that is sampled, or of sides that do not lift off: of these both bodies follow what is left out.
+double effect_of_gap(const scene::ContactPair<2>& given, const scene::Problem<2>& problem,
+                     const scene::ContactFacet& pair, const std::vector<double>& pressure) {
+  const auto gap = given_gap(given, problem.facets[pair.first].normal);
+  if (!gap || (gap->is_enclosed() && !pair.law.two_sided)) return 0;
+  const double stiffness = pair.law.two_sided ? stiffness_of_sides(problem, pair) : 0;
+  return effect_of_quadratic(*gap, problem, pair, pair.upper, pressure, stiffness);
+}
+
+/// Of what friction does not see of the slip.
+double effect_of_slip(const scene::ContactPair<2>& given, const scene::Problem<2>& problem,
+                      const scene::ContactFacet& pair, const std::vector<double>& shear) {
+  const auto slip = given_slip(given, problem.facets[pair.first].normal);
+  return effect_of_quadratic(*slip, problem, pair, pair.slip, shear, stiffness_of_sides(problem, pair));
 }
 
 }  // namespace
@@ -156,9 +184,12 @@ DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>
   }
   const auto states = contact_state(problem, displacement, stress);
   for (std::size_t j = 0; j < states.size(); ++j) {
-    const auto& gap = scene.contact[problem.contact[j].pair].gap;  // as drawn: linear
-    if (gap && !gap->is_enclosed())
-      effect.facet[problem.contact[j].first] = effect_of_gap(*gap, problem, problem.contact[j], states[j].pressure);
+    const scene::ContactFacet& pair = problem.contact[j];
+    const scene::ContactPair<2>& given = scene.contact[pair.pair];
+    effect.facet[pair.first] = effect_of_gap(given, problem, pair, states[j].pressure);
+    if (given.jump && scene::has_friction(pair.law))
+      effect.facet[pair.first] +=
+          effect_of_slip(given, problem, pair, shear_and_slip(problem, displacement, stress, pair).shear);
   }
   for (const double share : effect.facet) effect.energy += share;
   return effect;

@@ -8,6 +8,7 @@
 #include "scene/fields.h"
 #include "scene/mesh/topology.h"
 #include "scene/problem/gap.h"
+#include "scene/problem/given_gap.h"
 #include "scene/problem/law.h"
 #include "scene/problem/laws.h"
 #include "scene/problem/matching.h"
@@ -151,28 +152,60 @@ FixedFacets<dim> fix_facets(const Scene<dim>& scene, const Mesh<dim>& mesh,
   return fixed;
 }
 
-/// A component of a jump.
-Function<2> component(const std::array<Function<2>, 2>& jump, const Vector<2>& along) {
-  const auto at_points = [jump, along](const Vector<2>& x) { return along[0] * jump[0](x) + along[1] * jump[1](x); };
-  if (!jump[0].is_enclosed() || !jump[1].is_enclosed()) return at_points;
-  return {at_points, [jump, along](const Function<2>::Range& x) {
-            return Jet(along[0]) * jump[0].over(x) + Jet(along[1]) * jump[1].over(x);
-          }};
+/// Of the values of a gap or slip at the ends and the midpoint: Bernstein coefficients.
+std::array<double, 3> coefficients(const FacetValues<3>& values) {
+  const auto& [start, end, middle] = values.value;
+  return {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
 }
 
 /// What friction does not see of the slip, where a jump is prescribed: a quadratic on the facet, by coefficients that
 /// are the data from here on, as prescribed displacements are.
 void fix_jump(const ContactPair<2>& pair, const Vector<2>& a, const Vector<2>& b, const Vector<2>& d,
-              ContactFacet& facet) {
-  if (!pair.jump || !has_friction(facet.law)) return;
-  const Function<2> along = component(*pair.jump, tangent(d));
-  const auto bounds = along.is_enclosed() ? quadratic_gap(along, a, b) : std::nullopt;
-  if (!bounds)
-    fail(Status::input, pair.where,
-         fmt::format("contact.jump of '{}' must be an expression that is quadratic on each edge of the first mesh, and "
-                     "is not on the edge from {} to {}",
-                     name(pair.first), point(a), point(b)));
-  for (int i = 0; i < 3; ++i) facet.slip[i] = 0.5 * bounds->lower[i] + 0.5 * bounds->upper[i];
+              ContactFacet& facet, Extent& extent) {
+  const std::optional<Function<2>> along = given_slip(pair, d);
+  if (!along || !has_friction(facet.law)) return;
+  if (const auto bounds = along->is_enclosed() ? quadratic_gap(*along, a, b) : std::nullopt) {
+    for (int i = 0; i < 3; ++i) facet.slip[i] = 0.5 * bounds->lower[i] + 0.5 * bounds->upper[i];
+    return;
+  }
+  const FacetValues<3> values = interpolate_quadratic(*along, a, b, pair.where);
+  facet.slip = coefficients(values);
+  extent.include(values);
+}
+
+/// Whether displacements are to have the gap, r = g, on the whole facet, and can have linear ones only.
+template <int dim> bool is_kept_linear(const ContactFacetOf<dim>& facet, int degree) {
+  return facet.law.two_sided && !has_springs(facet.law) && degree == 1;
+}
+
+/// Whether a function between these bounds of its coefficients may be linear.
+bool may_be_linear(const GapBounds& bounds) {
+  const auto& [lower, upper] = bounds;
+  return 2 * lower[1] <= upper[0] + upper[2] && 2 * upper[1] >= lower[0] + lower[2];
+}
+bool may_be_linear(const FaceGapBounds& bounds) {
+  const auto& [lower, upper] = bounds;
+  for (int e = 0; e < 3; ++e) {
+    const auto& [i, k] = Simplex<2>::edges[e];
+    if (2 * lower[3 + e] > upper[i] + upper[k] || 2 * upper[3 + e] < lower[i] + lower[k]) return false;
+  }
+  return true;
+}
+
+/// The linear function with the values at the vertices, in place of a quadratic one.
+FacetValues<3> interpolated_linear(const Function<2>& gap, const std::array<Vector<2>, 2>& x,
+                                   const std::string& where) {
+  const auto& [value, error, largest] = interpolate_linear(gap, x[0], x[1], where);
+  return {{value[0], value[1], 0.5 * value[0] + 0.5 * value[1]}, error, largest};
+}
+FacetValues<6> interpolated_linear(const Function<3>& gap, const Face& x, const std::string& where) {
+  const auto& [value, error, largest] = interpolate_linear(gap, x, where);
+  FacetValues<6> result{{value[0], value[1], value[2]}, error, largest};
+  for (int e = 0; e < 3; ++e) {
+    const auto& [i, k] = Simplex<2>::edges[e];
+    result.value[3 + e] = 0.5 * value[i] + 0.5 * value[k];
+  }
+  return result;
 }
 
 /// Fills in the gaps of the contact.
@@ -184,34 +217,24 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
     const ContactPair<2>& pair = scene.contact[facet.pair];
     const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
     const Vector<2>& d = problem.facets[facet.first].normal;
-    fix_jump(pair, a, b, d, facet);
-    const std::optional<Function<2>> given = pair.jump ? component(*pair.jump, d) : pair.gap;
-    if (const auto* circle = std::get_if<CircleObstacle>(&pair.second.obstacle); circle != nullptr && !given) {
-      problem.gaps[i].function = distance(*circle, problem.facets[facet.first].normal);
-      problem.gaps[i].where = pair.where;
-    } else if (!given || !given->is_enclosed()) {
-      const FacetValues<3> values =
-          given ? interpolate_quadratic(*given, a, b, pair.where) : drawn_gap(scene, problem, facet);
-      const auto& [start, end, middle] = values.value;
-      facet.lower = facet.upper = {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
-      gap.include(values);
-    } else if (const auto quadratic = quadratic_gap(*given, a, b)) {
+    fix_jump(pair, a, b, d, facet, gap);
+    const std::optional<Function<2>> given = given_gap(pair, d);
+    const bool linear = is_kept_linear(facet, scene.solve.degree);
+    const auto quadratic = given && given->is_enclosed() ? quadratic_gap(*given, a, b) : std::nullopt;
+    if (quadratic && !(linear && !may_be_linear(*quadratic))) {
       facet.lower = quadratic->lower;
       facet.upper = quadratic->upper;
-    } else {
+    } else if (given && given->is_enclosed() && !facet.law.two_sided) {
       problem.gaps[i].function = *given;
       problem.gaps[i].where = pair.where;
+    } else {
+      const FacetValues<3> values = !given   ? drawn_gap(scene, problem, facet)
+                                    : linear ? interpolated_linear(*given, {a, b}, pair.where)
+                                             : interpolate_quadratic(*given, a, b, pair.where);
+      facet.lower = facet.upper = coefficients(values);
+      gap.include(values);
     }
   }
-  for (std::size_t i = 0; i < problem.contact.size(); ++i)
-    if (problem.contact[i].law.two_sided && problem.gaps[i].function) {
-      const ContactPair<2>& pair = scene.contact[problem.contact[i].pair];
-      fail(Status::input, pair.where,
-           fmt::format("the gap of '{}' must be quadratic on each edge of the first mesh, for its sides keep together "
-                       "along it, and is not on the edge at {}",
-                       name(pair.first),
-                       point(problem.mesh.vertices[problem.mesh.boundary[problem.contact[i].first].vertices[0]])));
-    }
   gap.error = std::max(gap.error, make_room(problem));
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     ContactFacet& facet = problem.contact[i];
@@ -231,22 +254,20 @@ Extent fix_gaps(const Scene<3>& scene, Problem<3>& problem) {
     ContactFacetOf<3>& facet = problem.contact[i];
     const ContactPair<3>& pair = scene.contact[facet.pair];
     const Face face = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    if (!pair.gap || !pair.gap->is_enclosed()) {
-      const FacetValues<6> values =
-          pair.gap ? interpolate_quadratic(*pair.gap, face, pair.where) : drawn_gap(scene, problem, facet);
-      facet.lower = facet.upper = values.value;
-      gap.include(values);
-    } else if (const auto quadratic = quadratic_gap(*pair.gap, face)) {
+    const bool linear = is_kept_linear(facet, scene.solve.degree);
+    const auto quadratic = pair.gap && pair.gap->is_enclosed() ? quadratic_gap(*pair.gap, face) : std::nullopt;
+    if (quadratic && !(linear && !may_be_linear(*quadratic))) {
       facet.lower = quadratic->lower;
       facet.upper = quadratic->upper;
-    } else if (facet.law.two_sided) {
-      fail(Status::input, pair.where,
-           fmt::format("the gap of '{}' must be quadratic on each face of the first mesh, for its sides keep together "
-                       "along it, and is not on the face at {}",
-                       name(pair.first), point(face[0])));
-    } else {
+    } else if (pair.gap && pair.gap->is_enclosed() && !facet.law.two_sided) {
       problem.gaps[i].function = *pair.gap;
       problem.gaps[i].where = pair.where;
+    } else {
+      const FacetValues<6> values = !pair.gap ? drawn_gap(scene, problem, facet)
+                                    : linear  ? interpolated_linear(*pair.gap, face, pair.where)
+                                              : interpolate_quadratic(*pair.gap, face, pair.where);
+      facet.lower = facet.upper = values.value;
+      gap.include(values);
     }
   }
   gap.error = std::max(gap.error, make_room(problem));

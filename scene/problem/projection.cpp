@@ -126,15 +126,12 @@ FacetValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, 
 
 FacetValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                      const std::string& where) {
-  FacetValues<3> result;
-  const auto& [start, end, middle] = result.value = {finite_value(given, a, where), finite_value(given, b, where),
-                                                     finite_value(given, 0.5 * (a + b), where)};
-  const std::vector<Sample> samples = sample(given, a, b, where);
-  result.largest = std::max({largest_of(samples), std::abs(start), std::abs(end), std::abs(middle)});
-  const double bulge = middle - 0.5 * (start + end);
-  for (const auto& [s, weight, value] : samples)
-    result.error = std::max(result.error, std::abs(value - between_ends(start, end, s) - 4 * s * (1 - s) * bulge));
-  return result;
+  const std::array<double, 3> value = {finite_value(given, a, where), finite_value(given, b, where),
+                                       finite_value(given, 0.5 * (a + b), where)};
+  const EdgeLoad values =
+      compared(cubic_of({value[0], value[2] + ((value[2] - value[0]) + (value[2] - value[1])) / 2, value[1]}), given, a,
+               b, sample(given, a, b, where));
+  return {value, values.error, values.largest};
 }
 
 }  // namespace bracket::scene

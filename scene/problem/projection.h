@@ -33,7 +33,7 @@ EdgeLoad project(const Function<2>& given, const Vector<2>& a, const Vector<2>& 
 FacetValues<2> interpolate_linear(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                   const std::string& where);
 
-/// The quadratic function with the given values at the ends and the midpoint, of a function that is sampled.
+/// The quadratic function with the given values at the ends and the midpoint.
 FacetValues<3> interpolate_quadratic(const Function<2>& given, const Vector<2>& a, const Vector<2>& b,
                                      const std::string& where);
 

@@ -38,7 +38,13 @@ template <class Value> Value value_at(const EdgeCubic<Value>& f, double t) {
   return between_ends(f.linear, t) + (legendre_2(t) * f.higher[0] + legendre_3(t) * f.higher[1]);
 }
 
-/// The same on the stretch [from, to] of its edge, of which P_2 and P_3 have linear parts: by comparison of the
+/// A quadratic by its Bernstein coefficients. Its P_2 has a sixth of the second difference.
+inline EdgeCubic<double> cubic_of(const std::array<double, 3>& quadratic) {
+  const double sixth = ((quadratic[0] - quadratic[1]) + (quadratic[2] - quadratic[1])) / 6;
+  return {{quadratic[0] - sixth, quadratic[2] - sixth}, {sixth, 0}};
+}
+
+/// A cubic on the stretch [from, to] of its edge, of which P_2 and P_3 have linear parts: by comparison of the
 /// coefficients of t³ and t², and of values at the ends.
 template <class Number, class Value>
 EdgeCubic<Value> on_stretch(const EdgeCubic<Value>& whole, double from, double to) {

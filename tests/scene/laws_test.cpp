@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/problem/law.h"
+#include "scene/problem/stretch.h"
 #include "tests/scene/inputs.h"
 #include "tests/support/scenes.h"
 
@@ -104,17 +105,37 @@ TEST(ContactLaws, InCodeAreCheckedLikeInFiles) {
   }
 }
 
-TEST(ContactLaws, GapsOfSidesThatKeepTogetherAreQuadratic) {
-  Scene<2> s = blocks(Law::bilateral, {});
-  s.contact[0].gap = enclosed<2>([](const auto& x) { return 0.01 * x[0] * x[0]; });
-  EXPECT_NO_THROW(tests::problem(s));
-  s.contact[0].gap = enclosed<2>([](const auto& x) {
+// A quadratic is kept to rounding; else the values at the ends and the midpoint are the function's, and what is told of
+// the rest bounds it.
+TEST(ContactLaws, GapsOfSidesThatKeepTogetherAreInterpolated) {
+  const auto parabola = enclosed<2>([](const auto& x) { return 0.01 * x[0] * x[0]; });
+  const auto wave = enclosed<2>([](const auto& x) {
     using std::cos;
-    return 0.01 * cos(x[0]);
+    return 0.01 * cos(4 * x[0]);
   });
-  const auto error = error_of([&] { tests::problem(s); });
-  ASSERT_TRUE(error.has_value());
-  EXPECT_NE(std::string(error->what()).find("must be quadratic on each edge"), std::string::npos) << error->what();
+  for (const auto& gap : {parabola, wave})
+    for (const int degree : {1, 2}) {
+      Scene<2> s = blocks(Law::bilateral, {});
+      s.contact[0].gap = gap;
+      s.solve.degree = degree;
+      const Problem<2> p = tests::problem(s);
+      ASSERT_EQ(p.contact.size(), 4);
+      double error = 0, largest = 0;
+      for (const ContactFacet& facet : p.contact) {
+        const auto [a, b] = positions(p.mesh, p.mesh.boundary[facet.first].vertices);
+        EXPECT_NEAR(facet.lower[0], gap(a), 1e-17);
+        EXPECT_NEAR(facet.lower[2], gap(b), 1e-17);
+        EXPECT_NEAR(at_middle(facet.lower), degree == 2 ? gap(0.5 * (a + b)) : 0.5 * gap(a) + 0.5 * gap(b), 1e-17);
+        for (int i = 0; i <= 64; ++i) {
+          const double t = i / 64.0, value = gap((1 - t) * a + t * b);
+          error = std::max(error, std::abs(value - scene::on_stretch(facet.upper, t, t)[0]));
+          largest = std::max(largest, std::abs(value));
+        }
+      }
+      const double told = p.oscillation.gap * largest;
+      EXPECT_LE(error, told + 1e-16);
+      EXPECT_LE(told, 1.1 * error + 1e-16) << degree;
+    }
 }
 
 TEST(ContactLaws, FrictionNeedsSidesThatCoincide) {

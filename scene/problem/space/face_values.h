@@ -16,8 +16,8 @@ FacetValues<3> project(const Function<3>& given, const Face& face, const std::st
 /// The linear function with the given values at the corners.
 FacetValues<3> interpolate_linear(const Function<3>& given, const Face& face, const std::string& where);
 
-/// The quadratic function with the given values at the corners and the midpoints of the sides, of a function that is
-/// sampled: its Bernstein coefficients.
+/// The quadratic function with the given values at the corners and the midpoints of the sides: its Bernstein
+/// coefficients. The error is that at points.
 FacetValues<6> interpolate_quadratic(const Function<3>& given, const Face& face, const std::string& where);
 
 }  // namespace bracket::scene

@@ -7,6 +7,7 @@
 
 #include "scene/problem/gap.h"
 #include "scene/problem/normals.h"
+#include "scene/problem/space/face.h"
 #include "scene/toml/expression.h"
 #include "tests/scene/space/boxes.h"
 
@@ -173,13 +174,39 @@ TEST(RoomInSpace, IsMadeWhereSupportsCloseAGapByRounding) {
     for (const double c : pair.lower) EXPECT_EQ(c, 0.3 - 1e-9);
 }
 
-TEST(LawsInSpace, OfBilateralSidesNeedQuadraticGaps) {
+TEST(LawsInSpace, GapsOfBilateralSidesAreInterpolated) {
   Scene<3> scene = unit_boxes(2);
   scene.contact[0].law = Law::bilateral;
-  scene.contact[0].gap = parse_expression<3>("0.1*x*z", "");
-  for (const ContactFacetOf<3>& pair : fix_data(scene, build_mesh(scene)).contact) EXPECT_TRUE(pair.law.two_sided);
+  for (const char* text : {"0.1*x*z", "0.1*sin(5*x)"})
+    for (const int degree : {1, 2}) {
+      const Function<3> gap = parse_expression<3>(text, "");
+      scene.contact[0].gap = gap;
+      scene.solve.degree = degree;
+      const Problem<3> problem = fix_data(scene, build_mesh(scene));
+      double error = 0, largest = 0;
+      for (const ContactFacetOf<3>& pair : problem.contact) {
+        EXPECT_TRUE(pair.law.two_sided);
+        const Face x = positions(problem.mesh, problem.mesh.boundary[pair.first].vertices);
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(pair.lower[i], gap(x[i]), 1e-16);
+        for (int e = 0; e < 3; ++e) {
+          const auto& [i, k] = Simplex<2>::edges[e];
+          const double middle = 0.5 * pair.lower[3 + e] + 0.25 * (pair.lower[i] + pair.lower[k]);
+          EXPECT_NEAR(middle, degree == 2 ? gap(0.5 * (x[i] + x[k])) : 0.5 * (gap(x[i]) + gap(x[k])), 1e-16);
+        }
+        for (int i = 0; i <= 16; ++i)
+          for (int k = 0; i + k <= 16; ++k) {
+            const std::array<double, 2> at = {i / 16.0, k / 16.0};
+            const double value = gap((1 - at[0] - at[1]) * x[0] + at[0] * x[1] + at[1] * x[2]);
+            error = std::max(error, std::abs(value - on_part(pair.upper, {at, at, at})[0]));
+            largest = std::max(largest, std::abs(value));
+          }
+        for (const double c : pair.lower) largest = std::max(largest, std::abs(c));
+      }
+      // What is told is seen at points.
+      EXPECT_LE(problem.oscillation.gap * largest, 1.1 * error + 1e-16);
+      EXPECT_GE(problem.oscillation.gap * largest, 0.9 * error - 1e-16);
+    }
   scene.contact[0].gap = parse_expression<3>("sin(x)", "");
-  expect_error([&] { fix_data(scene, build_mesh(scene)); }, Status::input, {"quadratic on each face"});
   scene.contact[0].law = Law::frictionless;
   const Problem<3> problem = fix_data(scene, build_mesh(scene));
   EXPECT_FALSE(has_quadratic_gaps(problem));
