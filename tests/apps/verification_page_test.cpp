@@ -1,5 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// docs/verification.md and docs/laws-against-others.md: what is known, and what another program finds, lies in the
+// docs/verification.md and docs/against-others.md: what is known, and what another program finds, lies in the
 // intervals of this version, and the pages say so.
 #include <regex>
 
@@ -53,7 +53,7 @@ TEST_F(VerificationPage, WhatAnotherProgramFindsIsInside) {
   const std::string page = read("page.md");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err << page;
   EXPECT_EQ(page.find("OUTSIDE"), std::string::npos);
-  shell("cp '" BRACKET_DOCS "/laws-against-others.md' committed.md");
+  shell("cp '" BRACKET_DOCS "/against-others.md' committed.md");
   EXPECT_EQ(without_mine(page), without_mine(read("committed.md")));
 }
 

@@ -1,14 +1,14 @@
 #!/bin/sh
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 # sh docs/verification/others/make.sh [PROGRAM [PAGE]]: solves the scenes of this folder with PROGRAM (bracket) and writes
-# PAGE (docs/laws-against-others.md), with what other programs found beside it. Status 1 if a value is outside. What
+# PAGE (docs/against-others.md), with what other programs found beside it. Status 1 if a value is outside. What
 # they found stands in the comments of a scene:
-#   # Other: NAME = FILE, CASE, COLUMN   the value of the last row of this case in FILE, which a script of this folder wrote;
-#                                        NAME is energy or a quantity's name
+#   # Other: NAME = FILE, CASE, COLUMN, PROGRAM   the value of the last row of this case in FILE, which a script of this
+#                                                 folder wrote for PROGRAM; NAME is energy or a quantity's name
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 program=${1:-bracket}
-page=${2:-$here/../../laws-against-others.md}
+page=${2:-$here/../../against-others.md}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -18,7 +18,7 @@ for scene in "$here"/*.toml; do
   "$program" run "$scene" -o "$work/$name" --no-report --quiet > "$work/out" || { cat "$work/out"; exit 1; }
   {
     echo "BEGIN { read_results()"
-    sed -n 's/^# Other: \(.*\) = \(.*\), \(.*\), \(.*\)$/other("\1", "\2", \3, \4)/p' "$scene"
+    sed -n 's/^# Other: \(.*\) = \(.*\), \(.*\), \(.*\), \(.*\)$/other("\1", "\2", \3, \4, "\5")/p' "$scene"
     echo "exit failed }"
   } > "$work/known.awk"
   {

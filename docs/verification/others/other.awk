@@ -11,7 +11,7 @@ function cells_of_run(    line, fields) {
 # The value of a case on its last mesh; by how much that differs from the one before, which is taken as its error; and the
 # limit of the geometric sequence through the last three (Aitken). Inside: in the interval; near: not farther from it than
 # the error.
-function other(name, file, number, column,    line, fields, found, value, cells, error, step, before, sequence, verdict) {
+function other(name, file, number, column, program,    line, fields, found, value, cells, error, step, before, sequence, verdict) {
   if (!known(name)) return
   while ((getline line < (folder "/" file)) > 0) {
     split(line, fields, " ")
@@ -31,7 +31,7 @@ function other(name, file, number, column,    line, fields, found, value, cells,
   sequence = value[found] + (step == before ? 0 : step * step / (before - step))
   verdict = lower[name] <= value[found] && value[found] <= upper[name] ? "inside" : "near"
   if (value[found] < lower[name] - error || value[found] > upper[name] + error) verdict = "OUTSIDE"
-  printf "| %s | FreeFEM 4.11 | %d | %.10g | %.1e | %.10g | %s | %d | %s |\n", name, cells, value[found], error, sequence, \
+  printf "| %s | %s | %d | %.10g | %.1e | %.10g | %s | %d | %s |\n", name, program, cells, value[found], error, sequence, \
     interval(lower[name], upper[name]), cells_of_run(), verdict
   if (verdict == "OUTSIDE") failed = 1
 }
