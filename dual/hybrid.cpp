@@ -36,7 +36,9 @@ template <int dim> std::vector<Eigen::VectorXd> traction_loads(const Problem<dim
       for (int k = 2; k <= own; ++k) moment += scene::legendre_moment<double>(degree, i, k) * higher[k - 2];
       moment = (edge.frame * moment).eval();
       const int place = 2 * along_edge(mesh, degree, facet.edge, facet.vertices[0], i);
-      for (int k = 0; k < 2; ++k) loads[mesh.cell_component[facet.cell]][edge.unknown[place + k]] += moment[k];
+      for (int k = 0; k < 2; ++k)  // none where a support holds the edge
+        if (const int unknown = edge.unknown[place + k]; unknown >= 0)
+          loads[mesh.cell_component[facet.cell]][unknown] += moment[k];
     }
   }
   return loads;

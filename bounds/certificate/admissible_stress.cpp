@@ -160,6 +160,11 @@ PlainLoads plain_loads(const scene::Problem<2>& problem, const scene::Stress<2>&
     const bool along = forward(mesh.boundary[facet]);
     std::vector<double> result;
     for (int k = 0; k <= degree; ++k) result.push_back((along ? edge[k] : Vector<2>(-edge[degree - k])).dot(n));
+    if (!has_perturbing_load(problem, facet)) return result;
+    const auto [at0, at1] = beside<double>(problem, facet);
+    for (int k = 0; k <= degree; ++k)
+      result[k] -=
+          scene::linear_coefficient<double>(dot(at0, vector2<double>(n)), dot(at1, vector2<double>(n)), degree, k);
     return result;
   };
   const auto normal = [&](int facet) -> const Vector<2>& { return problem.facets[facet].normal; };

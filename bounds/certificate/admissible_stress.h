@@ -90,6 +90,13 @@ void set_boundary_load(EdgeLoads<Number>& loads, const scene::Mesh<2>& mesh, int
   loads.edge[mesh.boundary[facet].edge] = oriented(load, forward(mesh.boundary[facet]));
 }
 
+/// What a perturbation has on a facet of Γ_0 or Γ_K beside what acts there: it is linear.
+template <class Number> SideLoad<Number> beside(const scene::Problem<2>& problem, int facet) {
+  SideLoad<Number> load = perturbing_load<Number>(problem, facet).linear;
+  for (auto& end : load) end = Number(problem.perturbed.loads) * end;
+  return load;
+}
+
 /// Writes the loads of Γ_0 and Γ_K into the edges.
 template <class Number> void spread_loads(const scene::Problem<2>& problem, EdgeLoads<Number>& loads) {
   const auto along = [&](int facet, const std::vector<Number>& coefficients) {
@@ -136,6 +143,13 @@ template <class Number> void spread_loads(const scene::Problem<2>& problem, Edge
     add_shear(pair.first, shear);
     std::reverse(shear.begin(), shear.end());
     if (pair.second >= 0) add_shear(pair.second, shear);
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    if (problem.facets[f].support == scene::Support::traction || !has_perturbing_load(problem, facet)) continue;
+    const auto& at = problem.mesh.boundary[f];
+    const SideLoad<Number> added = oriented(beside<Number>(problem, facet), forward(at));
+    for (int end = 0; end < 2; ++end) loads.edge[at.edge][end] = loads.edge[at.edge][end] + added[end];
   }
 }
 

@@ -33,7 +33,7 @@ void add_corrections(const scene::Problem<2>& problem, const std::vector<Correct
       load[i] = load[i] + width * between_ends(added[0], added[1], corner[i][0]);
 }
 
-/// All that is prescribed on a facet of Γ_τ, per unit of its parameter.
+/// All that is prescribed as the load of a facet, per unit of its parameter.
 template <class Number>
 WholeLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections,
                                   int facet) {
@@ -42,7 +42,7 @@ WholeLoad<Number> prescribed_load(const scene::Problem<2>& problem, const std::v
   return load;
 }
 
-/// Whether anything is prescribed on a facet of Γ_τ.
+/// Whether anything is prescribed as its load.
 template <class Number>
 bool carries_load(const scene::Problem<2>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
   const int of = scene::piece_of_facet(problem, facet).of;
@@ -143,7 +143,7 @@ Number cell_work(const scene::Problem<2>& problem, const PlainField& field, cons
   return doubled_area(corners<Number>(problem, cell)) / Number(2) * dot(force, mean);
 }
 
-/// ∫ T·u dτ over a facet of Γ_τ. What is linear of u is orthogonal to what is not of T.
+/// ∫ T·u dτ over a facet. What is linear of u is orthogonal to what is not of T.
 template <class Number>
 Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const MovedField<Number>& moved, int facet,
                   const WholeLoad<Number>& load) {
@@ -159,7 +159,8 @@ Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const Mov
       moment = moment + scene::number<Number>(scene::bernstein_mass(field.degree, k, 1, i)) * load.linear[i];
     for (int j = 2; j <= load.degree; ++j)
       moment = moment + scene::legendre_moment<Number>(field.degree, k, j) * load.higher[j - 2];
-    work += dot(moment, vector2<Number>(offset_on(mesh, field, facet, k)));
+    const auto& at = mesh.boundary[facet];
+    work += dot(moment, moved.offsets.edge[scene::place_inside_edge(mesh, field.degree, at.edge, at.vertices[0], k)]);
   }
   return work;
 }

@@ -164,7 +164,7 @@ WholeLoad<Number> load_on_piece(const scene::Problem<2>& problem, const scene::P
   return load;
 }
 
-/// What a perturbation has on a facet of Γ_τ, as it is, without its factor.
+/// What a perturbation loads a facet with, as it is, without its factor.
 template <class Number> WholeLoad<Number> perturbing_load(const scene::Problem<2>& problem, int facet) {
   const scene::Piece<1> piece = scene::piece_of_facet(problem, facet);
   return load_on_piece(problem, piece, given_on<Number>(problem.perturbed.by->facets[piece.of]));

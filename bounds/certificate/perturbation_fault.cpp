@@ -47,8 +47,12 @@ std::string perturbation_fault(const Problem<2>& problem) {
     return "perturbation and first mesh differ in number";
   if (!std::isfinite(loads) || !std::isfinite(kinematics) || !is_finite(*by)) return "the perturbation is not finite";
   for (std::size_t f = 0; f < first.facets.size(); ++f) {
-    if (is_loaded(by->facets[f]) && first.facets[f].support != Support::traction)
-      return fmt::format("the perturbation loads boundary facet {}, which is supported or in contact", f);
+    if (first.facets[f].support == Support::traction || !is_loaded(by->facets[f])) continue;
+    if (first.facets[f].support == Support::fixed)
+      return fmt::format("the perturbation loads boundary facet {}, whose displacement is prescribed", f);
+    if (scene::degree_of_load<2>(by->facets[f]) > 1)
+      return fmt::format("the perturbation's load on boundary facet {} is not linear, and it slides or is in contact",
+                         f);
   }
   for (std::size_t j = 0; j < first.contact.size(); ++j) {
     const auto& [a, b] = by->contact[j].shear;

@@ -153,11 +153,13 @@ std::string contact_fault(const Problem<2>& problem) {
   return "";
 }
 
-/// What acts on a contact line beside pressure and friction are a perturbation's pairs of forces, and nothing else.
+/// What acts beside pressure, friction and the supports' reactions on Γ_0 and Γ_K is a perturbation's, and nothing
+/// else.
 std::string load_fault(const Problem<2>& first) {
   for (std::size_t f = 0; f < first.facets.size(); ++f)
-    if (first.facets[f].support == Support::contact && scene::is_loaded(first.facets[f]))
-      return fmt::format("boundary facet {} is in contact and loaded", f);
+    if (first.facets[f].support != Support::traction && scene::is_loaded(first.facets[f]))
+      return fmt::format("boundary facet {} {} and is loaded", f,
+                         first.facets[f].support == Support::contact ? "is in contact" : "slides");
   return "";
 }
 

@@ -40,8 +40,8 @@ std::string body_fault(const scene::Problem<2>& problem);
 std::string law_fault(const scene::Problem<2>& problem);
 
 /// A part of it, empty for a problem that is not perturbed: what is added to the data fits the first mesh, is finite,
-/// loads Γ_τ alone (and contacts by pairs of forces, along t where they have friction), and is made of traces of finite
-/// energy: displacements that are one at a vertex, and ψ that does not jump along a contact line.
+/// loads no facet of Γ_u (and contacts by pairs of forces, too, along t where they have friction), and is made of
+/// traces of finite energy: displacements that are one at a vertex, and ψ that does not jump along a contact line.
 std::string perturbation_fault(const scene::Problem<2>& problem);
 
 }  // namespace bracket::bounds

@@ -186,11 +186,12 @@ BoundaryMisfit boundary_misfit(const scene::Problem<dim>& problem, const scene::
     const auto given = loads(problem, static_cast<int>(f), stress.degree);
     const double length = scene::length(problem.mesh, static_cast<int>(f));
     for (std::size_t i = 0; i < t.size(); ++i) {
+      const Vector<dim> beside = t[i] - given[i] / length;
       if (data.support == Support::traction)
-        raise(worst.traction, (t[i] - given[i] / length).norm());
+        raise(worst.traction, beside.norm());
       else if (!rubs[f])
-        raise(worst.traction, (t[i] - t[i].dot(n) * n).norm());
-      if (data.support == Support::contact && !may_pull[f]) raise(worst.tension, t[i].dot(n));
+        raise(worst.traction, (beside - beside.dot(n) * n).norm());
+      if (data.support == Support::contact && !may_pull[f]) raise(worst.tension, beside.dot(n));
     }
   }
   return worst;

@@ -38,10 +38,9 @@ std::vector<double> rounding_of_tractions(const scene::Problem<dim>& problem, co
     const auto t = tractions(mesh, stress, facet);
     const auto load = loads(problem, facet, stress.degree);
     for (std::size_t i = 0; i < t.size(); ++i) {
-      const bool given = data.support == scene::Support::traction;
-      const Vector<dim> known =
-          given ? Vector<dim>(load[i] / scene::length(mesh, facet)) : Vector<dim>(t[i].dot(data.normal) * data.normal);
-      most = std::max(most, (t[i] - known).norm());
+      Vector<dim> unknown = t[i] - load[i] / scene::length(mesh, facet);
+      if (data.support != scene::Support::traction) unknown -= (unknown.dot(data.normal) * data.normal).eval();
+      most = std::max(most, unknown.norm());
     }
   }
   for (std::size_t b = 0; b < misfit.size(); ++b)

@@ -17,17 +17,34 @@ using scene::Vector;
 
 namespace {
 
-/// The facets of a part whose displacement nothing prescribes, not even in part.
-template <int dim> std::vector<int> free_facets(const Problem<dim>& first, const Quantity<dim>& quantity) {
+/// The facets of a part that is not fixed.
+template <int dim> std::vector<int> movable_facets(const Problem<dim>& first, const Quantity<dim>& quantity) {
   std::vector<int> facets = facets_of(first, quantity);
-  for (const int f : facets) {
-    if (first.facets[f].support == Support::traction) continue;
-    const bool touches = first.facets[f].support == Support::contact;
-    refuse(quantity, fmt::format("the displacement of '{}' is not free: the part {}; ask for a part that is loaded or "
-                                 "free, or for the mean over the body (body = …)",
-                                 quantity.of, touches ? "is in contact" : "is supported"));
-  }
+  if (std::ranges::any_of(facets, [&](int f) { return first.facets[f].support == Support::fixed; }))
+    refuse(quantity,
+           fmt::format("the displacement of '{}' is prescribed: the part is fixed; ask for a part that is not, "
+                       "or for the mean over the body (body = …)",
+                       quantity.of));
   return facets;
+}
+
+/// Refuses a load that does work, but for rounding, on what a sliding part prescribes alone: the displacement along its
+/// normal.
+template <int dim>
+void refuse_along_support(const Problem<dim>& first, const Quantity<dim>& quantity, const std::vector<int>& facets,
+                          const Perturbation<dim>& perturbation) {
+  constexpr double rounding = 1e-12;
+  const bool is_known = std::ranges::all_of(facets, [&](int f) {
+    const Vector<dim>& n = first.facets[f].normal;
+    return first.facets[f].support == Support::sliding &&
+           std::ranges::all_of(perturbation.facets[f].traction, [&](const TwofoldVector<dim>& t) {
+             return (t.value - t.value.dot(n) * n).norm() <= rounding * t.value.norm();
+           });
+  });
+  if (is_known)
+    refuse(quantity, fmt::format("what is asked for of '{}' is prescribed: the part slides, and its displacement along "
+                                 "its normal is given",
+                                 quantity.of));
 }
 
 Vector<2> middle(const std::array<Vector<2>, 2>& x) { return x[0] + (x[1] - x[0]) / 2; }
@@ -37,20 +54,22 @@ Vector<3> middle(const std::array<Vector<3>, 3>& x) { return (x[0] + x[1] + x[2]
 
 template <int dim> Functionals<dim> mean_displacement(const Problem<dim>& first, const Quantity<dim>& quantity) {
   Perturbation<dim> perturbation = scene::no_perturbation(first);
+  const std::vector<int> facets = movable_facets(first, quantity);
   Enclosure whole;
-  for (const int f : free_facets(first, quantity)) {
+  for (const int f : facets) {
     whole += facet_size(first, f);
     if (quantity.direction)
       perturbation.facets[f].traction = scene::at_vertices<dim>(plain<dim>(*quantity.direction));
     else
       perturbation.facets[f].pressure = scene::at_vertices<dim>(-1.0);
   }
+  refuse_along_support(first, quantity, facets, perturbation);
   return linear(std::move(perturbation), quantity.direction ? whole * size(*quantity.direction) : whole);
 }
 
 template <int dim> Functionals<dim> rotation(const Problem<dim>& first, const Quantity<dim>& quantity) {
   const auto& mesh = first.mesh;
-  const std::vector<int> facets = free_facets(first, quantity);
+  const std::vector<int> facets = movable_facets(first, quantity);
   Vector<dim> sum = Vector<dim>::Zero();
   double whole = 0;
   for (const int f : facets) {
@@ -83,6 +102,7 @@ template <int dim> Functionals<dim> rotation(const Problem<dim>& first, const Qu
     }
     inertia += facet_size(first, f) * mean_square(arms);
   }
+  refuse_along_support(first, quantity, facets, perturbation);
   return linear(std::move(perturbation), inertia);
 }
 

@@ -10,7 +10,7 @@ namespace bracket::scene {
 
 template <int dim> bool is_loaded(const FacetData<dim>& data) {
   const auto acts = [](const Vector<dim>& load) { return !load.isZero(0); };
-  return (data.support == Support::traction || data.support == Support::contact) &&
+  return data.support != Support::fixed &&
          (std::any_of(data.traction.begin(), data.traction.end(), acts) ||
           std::any_of(data.correction.begin(), data.correction.end(), acts) ||
           std::any_of(data.pressure.begin(), data.pressure.end(), [](double p) { return p != 0; }) ||

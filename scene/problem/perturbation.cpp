@@ -55,7 +55,7 @@ void add_load(const EdgeCubic<Value>& whole, const Piece<1>& piece, double facto
 }
 /// Planar: where a perturbing load is not linear. \return whether it is added
 bool add_curved(FacetData<2>& data, const Perturbation<2>::Facet& added, const Piece<1>& piece, double loads) {
-  if (data.support != Support::traction || degree_of_load<2>(added) == 1) return false;
+  if (data.support == Support::fixed || degree_of_load<2>(added) == 1) return false;
   add_load<Vector<2>>({{rounded(added.traction[0]), rounded(added.traction[1])}, added.higher_traction}, piece, loads,
                       data.traction, data.higher_traction);
   add_load<double>({added.pressure, added.higher_pressure}, piece, loads, data.pressure, data.higher_pressure);
@@ -69,7 +69,7 @@ FacetData<dim> with_data(FacetData<dim> data, const typename Perturbation<dim>::
   const bool curved = add_curved(data, added, piece, loads);
   for (int i = 0; i < dim; ++i) {
     const auto& at = piece.corner[i];
-    if (data.support == Support::traction && !curved) {
+    if (data.support != Support::fixed && !curved) {
       data.traction[i] += loads * rounded(added.traction, at);
       data.pressure[i] += loads * at_point(added.pressure, at);
     }

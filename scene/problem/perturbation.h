@@ -34,10 +34,11 @@ template <int dim> TwofoldVector<dim> difference(const Vector<dim>& a, const Vec
 /// Loads (F_q, P_q) and kinematics (U, U_n, ψ, ψ_t) on a first mesh, as exact as its own data and linear or quadratic
 /// on its facets as those are. They make up the functional
 ///     J = ∫ F_q·u + ∫ P_q·u + ∫_Γu σn·U + ∫_Γ0 (σn)_n U_n − ∫_ΓK (p ψ + τ ψ_t).
-/// P_q may act on Γ_K in pairs, by which J is of r and v_t, too (scene/problem/law.h).
+/// P_q may act on Γ_τ, beside the supports' reactions on Γ_0 and beside the other side's p and τ on each side of Γ_K;
+/// there in pairs, too, by which J is of r and v_t (scene/problem/law.h).
 template <int dim> struct Perturbation {
   struct Facet {
-    /// At the vertices, on Γ_τ: force per area, and in addition a pressure that acts against the facet's own normal.
+    /// At the vertices, but on Γ_u: force per area, and in addition a pressure that acts against the facet's own normal.
     std::array<TwofoldVector<dim>, dim> traction = at_vertices<dim>(TwofoldVector<dim>{});
     std::array<double, dim> pressure = at_vertices<dim>(0.0);
     /// What is not linear of both, as FacetData has it.

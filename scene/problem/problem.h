@@ -43,7 +43,7 @@ template <int dim> struct FacetData {
   std::array<Vector<dim>, dim> displacement = at_vertices<dim>(Vector<dim>(Vector<dim>::Zero()));
   std::array<double, dim> normal_displacement = at_vertices<dim>(0.0);  ///< along `normal`
 };
-/// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_K in a perturbed problem.
+/// Whether the facet carries a load: it belongs to Γ_τ, or to Γ_0 or Γ_K in a perturbed problem.
 template <int dim> bool is_loaded(const FacetData<dim>& data);
 /// The degree of what is given as its traction and pressure: 1, 2 or 3.
 template <int dim> int degree_of_load(const FacetData<dim>& data);

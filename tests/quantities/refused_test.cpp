@@ -31,8 +31,11 @@ TEST(RefusedQuantities, one_clear_line) {
   expect_refusal(quantity(QuantityKind::force, "lower.top"), "there is no contact 'lower.top'");
   expect_refusal(along(top, 0, 0), "direction must not be zero");
   expect_refusal(quantity(QuantityKind::body, "upper"), "a body has no normal");
-  expect_refusal(along(quantity(QuantityKind::displacement, "upper.bottom"), 0, 1), "is in contact");
-  expect_refusal(along(quantity(QuantityKind::displacement, "lower.bottom"), 0, 1), "is supported");
+  expect_refusal(along(quantity(QuantityKind::displacement, "lower.bottom"), 0, 1), "the part is fixed");
+  expect_refusal(along(quantity(QuantityKind::displacement, "upper.left"), 2, 0),
+                 "its displacement along its normal is given");
+  expect_refusal(quantity(QuantityKind::rotation, "upper.left"), "its displacement along its normal is given");
+  expect_refusal(quantity(QuantityKind::displacement, "upper.left"), "its displacement along its normal is given");
   expect_refusal(along(quantity(QuantityKind::reaction, "upper.top"), 0, 1), "neither fixed nor sliding");
   auto off = force;
   off.stretch = scene::LineStretch{0.5, 1.5};

@@ -165,7 +165,7 @@ FacetVectors<Number> load_on_piece(const scene::Problem<3>& problem, const scene
   return load;
 }
 
-/// What a perturbation has on a facet of Γ_τ, as it is, without its factor; and whether it has anything there.
+/// What a perturbation loads a facet with, as it is, without its factor; and whether it has anything there.
 template <class Number> FacetVectors<Number> perturbing_load(const scene::Problem<3>& problem, int facet) {
   const scene::Piece<2> piece = scene::piece_of_facet(problem, facet);
   const auto& added = problem.perturbed.by->facets[piece.of];
@@ -210,7 +210,7 @@ void add_corrections(const scene::Problem<3>& problem, const std::vector<Correct
       load[i] = load[i] + fraction<Number>(piece) * interpolated<Vector3<Number>, Number>(added, piece.corner[i]);
 }
 
-/// All that is prescribed on a facet of Γ_τ: load density times area at its vertices.
+/// All that is prescribed as the load of a facet: load density times area at its vertices.
 template <class Number>
 FacetVectors<Number> prescribed_load(const scene::Problem<3>& problem,
                                      const std::vector<Corrected<Number>>& corrections, int facet) {
@@ -229,7 +229,7 @@ FacetVectors<Number> prescribed_load(const scene::Problem<3>& problem,
   return load;
 }
 
-/// Whether anything is prescribed on a facet of Γ_τ.
+/// Whether anything is prescribed as its load.
 template <class Number>
 bool carries_load(const scene::Problem<3>& problem, const std::vector<Corrected<Number>>& corrections, int facet) {
   const int of = scene::piece_of_facet(problem, facet).of;

@@ -55,6 +55,13 @@ PlainLoads plain_loads(const scene::Problem<3>& problem, const std::vector<Face>
       }
     }
   }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    if (problem.facets[f].support == Support::traction || !has_perturbing_load(problem, facet)) continue;
+    const auto added = beside<double>(problem, facet);
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) loads.face[face_of(mesh, facet)][i][c] -= added[i][c];
+  }
   const auto along = [&](int facet, int i) {
     return loads.face[face_of(mesh, facet)][i].dot(problem.facets[facet].normal);
   };

@@ -35,6 +35,13 @@ inline int face_of(const scene::Mesh<3>& mesh, int facet) {
   return scene::cell_facets(mesh, at.cell)[at.local];
 }
 
+/// What a perturbation has on a facet of Γ_0 or Γ_K beside what acts there.
+template <class Number> FacetVectors<Number> beside(const scene::Problem<3>& problem, int facet) {
+  FacetVectors<Number> load = perturbing_load<Number>(problem, facet);
+  for (auto& corner : load) corner = Number(problem.perturbed.loads) * corner;
+  return load;
+}
+
 /// Writes the loads of Γ_0 and Γ_K into the faces.
 template <class Number> void spread_loads(const scene::Problem<3>& problem, Loads<Number>& loads) {
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
@@ -53,6 +60,13 @@ template <class Number> void spread_loads(const scene::Problem<3>& problem, Load
       loads.face[face_of(problem.mesh, pair.first)][i] = -load;
       if (pair.second >= 0) loads.face[face_of(problem.mesh, pair.second)][pair.meets[i]] = load;
     }
+  }
+  for (std::size_t f = 0; f < problem.facets.size(); ++f) {
+    const int facet = static_cast<int>(f);
+    if (problem.facets[f].support == scene::Support::traction || !has_perturbing_load(problem, facet)) continue;
+    const FacetVectors<Number> added = beside<Number>(problem, facet);
+    auto& face = loads.face[face_of(problem.mesh, facet)];
+    for (int i = 0; i < 3; ++i) face[i] = face[i] + added[i];
   }
 }
 

@@ -74,8 +74,9 @@ std::array<int, 2> clash(const Problem<3>& first, const Same& same, const Along&
 
 std::string support_fault(const Problem<3>& first) {
   for (std::size_t f = 0; f < first.facets.size(); ++f)
-    if (first.facets[f].support == Support::contact && scene::is_loaded(first.facets[f]))
-      return fmt::format("boundary facet {} is in contact and loaded", f);
+    if (first.facets[f].support != Support::traction && scene::is_loaded(first.facets[f]))
+      return fmt::format("boundary facet {} {} and is loaded", f,
+                         first.facets[f].support == Support::contact ? "is in contact" : "slides");
   const auto same = [&](int f, int i, int g, int k) {
     return first.facets[f].displacement[i] == first.facets[g].displacement[k];
   };
@@ -134,8 +135,8 @@ std::string perturbation_fault(const Problem<3>& problem) {
     return "perturbation and first mesh differ in number";
   if (!std::isfinite(loads) || !std::isfinite(kinematics) || !is_finite(*by)) return "the perturbation is not finite";
   for (std::size_t f = 0; f < first.facets.size(); ++f)
-    if (is_loaded(by->facets[f]) && first.facets[f].support != Support::traction)
-      return fmt::format("the perturbation loads boundary facet {}, which is supported or in contact", f);
+    if (is_loaded(by->facets[f]) && first.facets[f].support == Support::fixed)
+      return fmt::format("the perturbation loads boundary facet {}, whose displacement is prescribed", f);
   const auto is_zero = [](const auto& values) { return std::ranges::all_of(values, [](double x) { return x == 0; }); };
   for (const auto& facet : by->facets)
     if (scene::degree_of_load<3>(facet) > 1) return "the loads of the perturbation are not linear";

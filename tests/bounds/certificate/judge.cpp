@@ -189,7 +189,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
       result.push_back(fmt::format("traction on facet {}", f));
     const Point n = vector2<Exact>(data.normal);
     if ((data.support == Support::sliding || (data.support == Support::contact && !rubs[f])) &&
-        !is_zero(dot(load, turned(n))))
+        !is_zero(dot(reaction_on(problem, stress, facet), turned(n))))
       result.push_back(fmt::format("shear on facet {}", f));
   }
   for (const auto& pair : problem.contact) {
@@ -201,7 +201,7 @@ std::vector<std::string> faults(const scene::Problem<2>& problem, const ExactStr
         result.push_back(fmt::format("shear beyond its bound on facet {}", pair.first));
     }
     if (pair.second >= 0 &&
-        !is_zero(load_on(problem.mesh, stress, pair.first) + reversed(load_on(problem.mesh, stress, pair.second))))
+        !is_zero(reaction_on(problem, stress, pair.first) + reversed(reaction_on(problem, stress, pair.second))))
       result.push_back(fmt::format("pressures differ on facet {}", pair.first));
   }
   return result;

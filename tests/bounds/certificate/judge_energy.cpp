@@ -122,7 +122,7 @@ Exact complementary_energy(const scene::Problem<2>& problem, const ExactStress& 
     const Support support = problem.facets[f].support;
     if (support != Support::fixed && support != Support::sliding) continue;
     const int facet = static_cast<int>(f);
-    result -= dot(load_on(problem.mesh, stress, facet), displacement_on(problem.mesh, u, facet)).mean();
+    result -= dot(reaction_on(problem, stress, facet), displacement_on(problem.mesh, u, facet)).mean();
   }
   for (const auto& pair : problem.contact) {
     result += (pressure(problem, stress, pair) * gap(problem, pair)).mean();

@@ -143,15 +143,14 @@ inline Polynomial slip(const scene::Problem<2>& problem, const ExactDisplacement
   const Polynomial seen = v - unseen(problem, pair);
   return pair.second < 0 ? seen : seen - dot(displacement_on(problem.mesh, u, pair.second), t).reversed();
 }
-/// λn of the first side beside the loads of a perturbed problem.
-inline Field contact_load_on(const scene::Problem<2>& problem, const ExactStress& stress,
-                             const scene::ContactFacet& pair) {
-  const Field load = load_on(problem.mesh, stress, pair.first);
-  return scene::is_loaded(problem.facets[pair.first]) ? load - traction_on(problem, {}, pair.first) : load;
+/// λn on a facet of Γ_0 or Γ_K less the load of a perturbed problem there: what the support or the other side does.
+inline Field reaction_on(const scene::Problem<2>& problem, const ExactStress& stress, int facet) {
+  const Field load = load_on(problem.mesh, stress, facet);
+  return scene::is_loaded(problem.facets[facet]) ? load - traction_on(problem, {}, facet) : load;
 }
 inline Polynomial shear(const scene::Problem<2>& problem, const ExactStress& stress, const scene::ContactFacet& pair) {
   const Point t = turned(vector2<Exact>(problem.facets[pair.first].normal));
-  return (Exact(-1) / dot(t, t)) * dot(contact_load_on(problem, stress, pair), t);
+  return (Exact(-1) / dot(t, t)) * dot(reaction_on(problem, stress, pair.first), t);
 }
 inline Exact length_of(const scene::Problem<2>& problem, const scene::ContactFacet& pair) {
   const auto& [a, b] = problem.mesh.boundary[pair.first].vertices;
@@ -165,7 +164,7 @@ inline Polynomial linear_on(const std::array<double, 2>& ends) {
 inline Polynomial pressure(const scene::Problem<2>& problem, const ExactStress& stress,
                            const scene::ContactFacet& pair) {
   const Point d = vector2<Exact>(problem.facets[pair.first].normal);
-  return (Exact(-1) / dot(d, d)) * dot(contact_load_on(problem, stress, pair), d);
+  return (Exact(-1) / dot(d, d)) * dot(reaction_on(problem, stress, pair.first), d);
 }
 
 }  // namespace bracket::bounds

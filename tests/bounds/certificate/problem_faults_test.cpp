@@ -201,14 +201,15 @@ TEST(ProblemFault, in_perturbations) {
   expect_functional_refused([](auto& by) { by.contact[0].gap[1] = INFINITY; }, "not finite");
   expect_functional_refused(
       [&](auto& by) {
-        by.facets[facet_with(first, Support::contact)].traction = {one, one};
+        by.facets[facet_with(first, Support::fixed)].traction = {one, one};
       },
-      "supported or in contact");
-  expect_functional_refused(
-      [&](auto& by) {
-        by.facets[facet_with(first, Support::sliding)].pressure = {1, 1};
-      },
-      "supported or in contact");
+      "whose displacement is prescribed");
+  for (const auto support : {Support::contact, Support::sliding})
+    expect_functional_refused(
+        [&](auto& by) {
+          by.facets[facet_with(first, support)].higher_pressure = {1, 0};
+        },
+        "is not linear");
   expect_functional_refused(
       [&](auto& by) {
         by.facets[facet_with(first, Support::fixed)].displacement = {one, one};
@@ -218,9 +219,10 @@ TEST(ProblemFault, in_perturbations) {
 }
 
 TEST(ProblemFault, a_load_on_a_contact) {
-  expect_refused(
-      sound(), [](Problem<2>& p) { p.facets[facet_with(p, Support::contact)].traction[0] = Vector<2>(0, 1); },
-      "is in contact and loaded");
+  for (const auto& [support, named] : {std::pair(Support::contact, "in contact"), {Support::sliding, "slides"}})
+    expect_refused(
+        sound(), [support = support](Problem<2>& p) { p.facets[facet_with(p, support)].traction[0] = Vector<2>(0, 1); },
+        std::string(named) + " and is loaded");
 }
 
 }  // namespace

@@ -31,6 +31,9 @@ Perturbation<3> everything(const Problem<3>& first) {
       if (first.facets[f].support == Support::traction && first.facets[f].normal[0] > 0.5) added.pressure[i] = 0.25;
       if (first.facets[f].support == Support::fixed) added.displacement[i].value = {0.25 * x[1], 0, 0.125 * x[0]};
       if (first.facets[f].support == Support::sliding) added.displacement[i].value = {0.25 * x[1], 0, 0.125 * x[0]};
+      if (first.facets[f].support == Support::sliding) added.traction[i].value = {0.125, 0.25 * x[0], 0.0625};
+      if (first.facets[f].support == Support::contact) added.traction[i].value = {0.25 * x[1], -0.125, 0.0625};
+      if (first.facets[f].support == Support::contact) added.pressure[i] = -0.125;
     }
   for (std::size_t j = 0; j < first.contact.size(); ++j) {
     auto& added = by.contact[j];
@@ -76,7 +79,12 @@ TEST(SpaceFunctional, is_bounded_by_both_energies) {
   for (const auto& [name, problem, mean] : cases()) {
     SCOPED_TRACE(name);
     auto by = std::make_shared<Perturbation<3>>(everything(problem));
-    for (auto& contact : by->contact) contact.opening = {0, 0, 0};  // which data of its own have not
+    for (auto& contact : by->contact) contact.opening = {0, 0, 0};  // which data of its own have not, …
+    for (std::size_t f = 0; f < by->facets.size(); ++f) {           // … nor loads there
+      if (problem.facets[f].support == Support::traction) continue;
+      by->facets[f].traction.fill({});
+      by->facets[f].pressure = {0, 0, 0};
+    }
     const auto u = tests::random_displacement(problem, 2, 0.01, generator);
     const auto stress = tests::random_stress(problem, mean, 0.02, generator);
     for (const double f : {0.125, -0.125}) {
@@ -156,7 +164,7 @@ TEST(SpaceFunctional, with_faults_is_refused) {
   while (problem.facets[sliding].support != Support::sliding) --sliding;
   expect([](auto& by) { by.force[0][1] = NAN; }, "not finite");
   expect([](auto& by) { by.contact[0].gap[4] = INFINITY; }, "not finite");
-  expect([=](auto& by) { by.facets[sliding].pressure = {1, 1, 1}; }, "supported or in contact");
+  expect([=](auto& by) { by.facets[fixed].pressure = {1, 1, 1}; }, "whose displacement is prescribed");
   expect([=](auto& by) { by.facets[fixed].displacement[0].value[1] += 1; }, "displacements jumps");
   expect([=](auto& by) { by.facets[sliding].normal_displacement = {1, 1, 1}; }, "displacements jumps");
   expect([](auto& by) { by.contact[0].gap.fill(7); }, "gap jumps");
