@@ -118,7 +118,7 @@ TEST(SpaceFault, on_the_first_mesh) {
        "springs or friction"},
       {[](auto& p) { p.contact[0].law.coulomb = 0.3; }, "springs or friction"},
       {[](auto& p) { p.contact[0].law.two_sided = true, p.contact[0].upper[3] += 1e-9; }, "up to rounding"},
-      {[](auto& p) { p.facets[p.contact[0].first].traction[0] = Vector<3>(0, 1, 0); }, "in contact and loaded"},
+      {[](auto& p) { p.facets[p.contact[0].first].traction[0] = Vector<3>(0, 1, 0); }, "in contact and is loaded"},
       {[](auto& p) { p.facets[tests::facet_with(p, Support::fixed)].displacement[1][0] += 1e-15; }, "where they meet"},
       {[](auto& p) {
          for (auto& facet : p.facets)
