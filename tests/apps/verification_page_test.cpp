@@ -65,10 +65,12 @@ TEST_F(VerificationPage, AValueOfAnotherProgramThatIsFartherOutsideThanItsErrorI
   const std::string make = "sh cases/others/make.sh '" BRACKET_PROGRAM "' page.md";
   EXPECT_EQ(shell(make).status, 0);
   shell(
-      "sed -i 's/^# Other: energy = .*/# Other: energy = foundation.txt, 1, 3/' "
+      "sed -i 's/^# Other: energy = .*/# Other: energy = foundation.txt, 1, 3, FreeFEM/' "
       "cases/others/foundation-slides.toml");
   EXPECT_EQ(shell(make).status, 1);
   EXPECT_NE(read("page.md").find("OUTSIDE"), std::string::npos);
+  shell("sed -i 's/^# Other: energy = .*/# Other: energy = foundation.txt/' cases/others/foundation-slides.toml");
+  EXPECT_EQ(shell(make).status, 1);  // no value is passed over
 }
 
 }  // namespace

@@ -21,6 +21,10 @@ for scene in "$here"/*.toml; do
     sed -n 's/^# Other: \(.*\) = \(.*\), \(.*\), \(.*\), \(.*\)$/other("\1", "\2", \3, \4, "\5")/p' "$scene"
     echo "exit failed }"
   } > "$work/known.awk"
+  if [ "$(grep -c '^# Other: ' "$scene")" -ne "$(grep -c '^other(' "$work/known.awk")" ]; then
+    echo "$scene: expected # Other: NAME = FILE, CASE, COLUMN, PROGRAM" >&2
+    exit 1
+  fi
   {
     printf '\n## %s\n\n' "$(sed -n 's/^title *= "\(.*\)"$/\1/p' "$scene")"
     sed -n -e '2s/^# Question: //p' -e '3,${/^# Other/q;s/^# //p}' "$scene"
