@@ -67,7 +67,7 @@ ErrorInterval contact_work(Judge& judge, const Outcome<2>& outcome) {
     return {0, 0};  // also without contact
   const Solvers<2> solvers = {
       std::make_shared<const primal::Solver<2>>(outcome.problem, judge.scene.solve.degree, true),
-      std::make_shared<const dual::Solver<2>>(outcome.problem, outcome.stress.degree)};
+      std::make_shared<const dual::Solver<2>>(outcome.problem, outcome.stress.degree), nullptr};
   const Certificate& sure = outcome.levels.back().certificate;
   const SolvedLevel<2> level{outcome.problem, solvers, {}, sure.lower, sure.upper, outcome.indicator};
   auto found = evaluate(judge.contact_work, level, Undetermined{}, std::move(judge.learned));

@@ -46,9 +46,10 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
   const int sweeps = scene.solve.sweeps ? *scene.solve.sweeps
                                         : scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh)));
-  solved.dual = local_stresses(*solver, problem, sweeps, solved.primal.closed);
+  auto stresses = std::make_shared<const LocalStresses<dim>>(*solver, problem, sweeps, keep);
+  solved.dual = stresses->solve(problem, solved.primal);
   solved.unsolved = solved.dual.reason;
-  if (keep) solved.solvers = {std::move(solver), nullptr, sweeps};
+  if (keep) solved.solvers = {std::move(solver), nullptr, std::move(stresses)};
   solved.level.seconds.dual = clock.seconds();
   return solved;
 }

@@ -119,14 +119,20 @@ struct Bodies::WithRows {
   const std::vector<System>& systems() const { return elastic->systems; }
   const std::vector<Motions>& bases() const { return elastic->bases; }
   const Condensed& condensed(std::size_t body) const { return elastic->condensed[body]; }
-  Interface interface(const Given& given) const;
+  std::vector<VectorXd> unhindered(const std::vector<VectorXd>& loads) const;
+  Interface interface(const Given& given, const std::vector<VectorXd>& unhindered) const;
   State refined(const Given& given, const Scaled& interface, const std::vector<Index>& active, State state) const;
   std::vector<VectorXd> displacements(const Statics& of, const State& state) const;
 };
 
-Interface Bodies::WithRows::interface(const Given& given) const {
-  std::vector<VectorXd> unhindered;
-  for (std::size_t b = 0; b < rows.size(); ++b) unhindered.push_back(condensed(b).apply(given.loads[b]));
+/// K⁺ f of each body.
+std::vector<VectorXd> Bodies::WithRows::unhindered(const std::vector<VectorXd>& loads) const {
+  std::vector<VectorXd> result;
+  for (std::size_t b = 0; b < rows.size(); ++b) result.push_back(condensed(b).apply(loads[b]));
+  return result;
+}
+
+Interface Bodies::WithRows::interface(const Given& given, const std::vector<VectorXd>& unhindered) const {
   const VectorXd free_approach = approach(rows, unhindered);
   return {compliance,
           free_approach - given.gap,
@@ -150,7 +156,7 @@ State Bodies::WithRows::refined(const Given& given, const Scaled& interface, con
     const MatrixXd& basis = bases()[b].basis;  // basisᵀ basis = n
     if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
     residual.push_back(given.loads[b] - rows[b].transpose() * state.pressure - carried);
-    misfit += rows[b] * (state.elastic[b] + condensed(b).apply(residual[b]));
+    if (rows[b].nonZeros() > 0) misfit += rows[b] * (state.elastic[b] + condensed(b).apply(residual[b]));
   }
   const VectorXd none = VectorXd::Zero(given.gap.size());
   VectorXd change = none;
@@ -303,7 +309,8 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
   }
 
   const Given given{loads, gap, limits, of_rows, balanced.load};
-  const Scaled interface = scaled(bodies.interface(given));
+  std::vector<VectorXd> unhindered = bodies.unhindered(loads);
+  const Scaled interface = scaled(bodies.interface(given, unhindered));
   const Pressure found = minimise(interface, balanced.pressure, limits, guess);
   solution.iterations = found.iterations;
   solution.termination = found.termination;
@@ -314,7 +321,9 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
               scaled(found.pressure, interface.row, interface.problem.limits, limits),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < loads.size(); ++b)
-    state.elastic.push_back(elastic_displacement(bodies.rows[b], bodies.condensed(b), loads[b], state.pressure));
+    state.elastic.push_back(bodies.rows[b].nonZeros() > 0
+                                ? elastic_displacement(bodies.rows[b], bodies.condensed(b), loads[b], state.pressure)
+                                : std::move(unhindered[b]));
   state = bodies.refined(given, interface, found.active, std::move(state));
 
   solution.displacement = bodies.displacements(of_rows, state);

@@ -138,6 +138,9 @@ class BlasThreads {
   int before_;
 };
 
+/// What the machine has, in bytes.
+double physical_memory();
+
 /// Lets BLAS take the memory that it needs to be called from `callers` threads at once, where it has not yet. Without
 /// memory for it BLAS itself would try for ever.
 /// \throw std::bad_alloc

@@ -14,9 +14,6 @@ struct Trailing {
   Eigen::MatrixXd lower;      ///< its strict upper triangle is zero
 };
 
-/// What the machine has, in bytes.
-double physical_memory();
-
 /// A sparse Cholesky factor P K Pᵀ = L Lᵀ.
 class Factor {
  public:

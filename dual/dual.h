@@ -55,12 +55,32 @@ Result<dim> solve(const scene::Problem<dim>& problem, int degree, const std::vec
 
 /// Block-element stresses in K⁺_{F,P} without a global dual system (docs/theory.md §12): the stress of a displacement
 /// is handed out star by star. Exactly balanced but for rounding, whatever the displacement is; the closer that is to
-/// the solution, the closer S is to its minimum. \param pressure of each contact at the vertices of its first facet, ≥
-/// 0 where the sides can part, in balance with the
-///     loads of bodies that float
-/// \param displacement of degree 1 or 2, best that by these pressures without contact
-/// \param sweeps how often S is then minimised star by star
-/// \return solved, whatever the field is worth, or not_definite; `closed` is empty
+/// the solution, the closer S is to its minimum.
+template <int dim> class LocalSolver {
+ public:
+  using Pressure = std::vector<std::array<double, std::size_t{dim}>>;
+
+  /// \param again whether several problems are to be solved: then what does not depend on loads, gaps and prescribed
+  ///     displacements is kept, the stars' factors above all, where a quarter of the machine's memory holds it
+  explicit LocalSolver(const scene::Problem<dim>& problem, bool again = false);
+
+  /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
+  ///     displacements are its own
+  /// \param pressure of each contact at the vertices of its first facet, ≥ 0 where the sides can part, in balance with
+  ///     the loads of bodies that float
+  /// \param displacement of degree 1 or 2, best that by these pressures without contact
+  /// \param sweeps how often S is then minimised star by star
+  /// \return solved, whatever the field is worth, or not_definite; `closed` is empty
+  Result<dim> solve(const scene::Problem<dim>& problem, const Pressure& pressure,
+                    const scene::Displacement<dim>& displacement, int sweeps) const;
+
+  struct Frame;
+
+ private:
+  std::shared_ptr<const Frame> frame_;
+};
+
+/// The same, once.
 template <int dim>
 Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::array<double, std::size_t{dim}>>& pressure,
                   const scene::Displacement<dim>& displacement, int sweeps);

@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stdexcept>
+
 #include "primal/primal.h"
 #include "primal/systems.h"
 
@@ -14,6 +16,13 @@ template <int dim> struct Solver<dim>::Factorised {
   contact::Bodies bodies;
   double order, assemble;  ///< seconds
 
+  /// The nodes of a problem, with its prescribed displacements. \throw std::invalid_argument where others are unknown
+  Nodes<dim> own_nodes(const scene::Problem<dim>& problem) const {
+    Nodes<dim> own = make_nodes(problem, nodes.degree);
+    if (own.body_nodes != nodes.body_nodes)
+      throw std::invalid_argument("primal: the problem has other unknowns than the one that was factorised");
+    return own;
+  }
   /// f of each body. \param of the problem's own nodes
   std::vector<Eigen::VectorXd> forces(const scene::Problem<dim>& problem, const Nodes<dim>& of) const {
     std::vector<Eigen::VectorXd> result = loads(problem, of);

@@ -96,27 +96,21 @@ template <int dim> Triplets jumps(const Approach<dim>& approach) {
 
 }  // namespace
 
-template <int dim>
-PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem,
-                                                     const std::vector<char>& closed) const {
-  const Factorised& of = *factorised_;
-  const Nodes<dim> nodes = make_nodes(problem, of.nodes.degree);
-  if (nodes.body_nodes != of.nodes.body_nodes)
-    throw std::invalid_argument("primal::Solver: the problem has other unknowns than the one that was factorised");
+template <int dim> struct PressureSolver<dim>::Rows {
+  std::shared_ptr<const typename Solver<dim>::Factorised> of;
+  contact::Bodies bodies;
+};
+
+template <int dim> PressureSolver<dim>::PressureSolver(const Solver<dim>& displacements, const Problem<dim>& problem) {
+  const auto& of = displacements.factorised_;
+  const Nodes<dim> nodes = of->own_nodes(problem);
   const Approach<dim> approach{nodes, problem};
   const auto m = static_cast<Eigen::Index>(dim * problem.contact.size());
-  contact::Limits limits{Eigen::VectorXd(m), Eigen::VectorXd(m)};
-  Eigen::VectorXd bounds(m);
   std::vector<Triplets> entries(nodes.body_nodes.size());
-  std::vector<char> guess;
   for (Eigen::Index i = 0; i < m; ++i) {
-    if (!closed.empty()) guess.push_back((closed[i / dim] & scene::touches) != 0);
-    const Row row = moment(approach, static_cast<int>(i) / dim, static_cast<int>(i) % dim);
-    bounds[i] = row.bound;
-    limits.lower[i] = row.lower;
-    limits.upper[i] = row.upper;
-    for (const auto& entry : row.entries)
-      entries[entry.body].emplace_back(static_cast<int>(i), entry.unknown, entry.coefficient);
+    const int row = static_cast<int>(i);
+    for (const auto& entry : moment(approach, row / dim, row % dim).entries)
+      entries[entry.body].emplace_back(row, entry.unknown, entry.coefficient);
   }
   std::vector<Eigen::SparseMatrix<double>> rows;
   for (std::size_t b = 0; b < entries.size(); ++b) {
@@ -127,9 +121,28 @@ PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem
   const Triplets of_jumps = jumps(approach);
   Eigen::SparseMatrix<double> added(m, m);
   added.setFromTriplets(of_jumps.begin(), of_jumps.end());
+  rows_ = std::make_shared<const Rows>(Rows{of, of->bodies.with_rows(std::move(rows), std::move(added))});
+}
 
-  const contact::Solution solution =
-      of.bodies.with_rows(std::move(rows), std::move(added)).solve(of.forces(problem, nodes), bounds, guess, limits);
+template <int dim>
+PressureResult<dim> PressureSolver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
+  const auto& of = *rows_->of;
+  const Nodes<dim> nodes = of.own_nodes(problem);
+  const Approach<dim> approach{nodes, problem};
+  const auto m = static_cast<Eigen::Index>(dim * problem.contact.size());
+  if (m != rows_->bodies.rows().front().rows())
+    throw std::invalid_argument("primal::PressureSolver: the problem has other contact than the one it was made for");
+  contact::Limits limits{Eigen::VectorXd(m), Eigen::VectorXd(m)};
+  Eigen::VectorXd bounds(m);
+  std::vector<char> guess;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (!closed.empty()) guess.push_back((closed[i / dim] & scene::touches) != 0);
+    const Row row = moment(approach, static_cast<int>(i) / dim, static_cast<int>(i) % dim);
+    bounds[i] = row.bound;
+    limits.lower[i] = row.lower;
+    limits.upper[i] = row.upper;
+  }
+  const contact::Solution solution = rows_->bodies.solve(of.forces(problem, nodes), bounds, guess, limits);
   PressureResult<dim> result;
   result.termination = solution.termination;
   result.reason = contact::reason(solution, "pressures", problem.mesh.components,
@@ -142,8 +155,16 @@ PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem
   return result;
 }
 
+template <int dim>
+PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem,
+                                                     const std::vector<char>& closed) const {
+  return PressureSolver<dim>(*this, problem).solve(problem, closed);
+}
+
 template struct PressureResult<2>;
 template struct PressureResult<3>;
+template class PressureSolver<2>;
+template class PressureSolver<3>;
 template PressureResult<2> Solver<2>::solve_with_pressure(const Problem<2>&, const std::vector<char>&) const;
 template PressureResult<3> Solver<3>::solve_with_pressure(const Problem<3>&, const std::vector<char>&) const;
 

@@ -34,6 +34,8 @@ template <int dim> struct PressureResult {
 /// \throw scene::Error (input: another degree; ill_posed: they alone already close a gap by more than it has)
 template <int dim> void check_prescribed(const scene::Problem<dim>& problem, int degree);
 
+template <int dim> class PressureSolver;
+
 /// Minimises the potential energy L over K_h ⊂ K [HH81, (1.2)]; rows bound the Bernstein coefficients of r by those of
 /// g on each contact facet. The bodies are factorised once and solved for any data.
 template <int dim> class Solver {
@@ -51,17 +53,31 @@ template <int dim> class Solver {
   ///     problem that was factorised; scene::Error as check_prescribed()
   Result<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
 
-  /// The pressures of least complementary energy, F the compliance for the moments of r against the
-  /// facets' hat functions, with a term for their jumps from facet to facet. Whether any balance
-  /// the loads is decided first; if not: no_equilibrium, though solve() may find displacements.
-  /// \param problem as for solve(), without springs and friction   \param closed contact facets expected to be pressed
-  ///     (as Result::closed, or empty: all)
+  /// PressureSolver::solve(), once.
   PressureResult<dim> solve_with_pressure(const scene::Problem<dim>& problem,
                                           const std::vector<char>& closed = {}) const;
 
  private:
+  friend class PressureSolver<dim>;
   struct Factorised;
   std::shared_ptr<const Factorised> factorised_;
+};
+
+/// The pressures of least complementary energy, F the compliance for the moments of r against the facets' hat
+/// functions, with a term for their jumps from facet to facet. F is made once, on the factors of the displacements.
+template <int dim> class PressureSolver {
+ public:
+  /// \param problem without springs and friction, as for Solver::solve()
+  PressureSolver(const Solver<dim>& displacements, const scene::Problem<dim>& problem);
+
+  /// Whether any pressures balance the loads is decided first; if not: no_equilibrium, though Solver::solve() may find
+  /// displacements. \param problem as for the constructor   \param closed contact facets expected to be pressed (as
+  ///     Result::closed, or empty: all)
+  PressureResult<dim> solve(const scene::Problem<dim>& problem, const std::vector<char>& closed = {}) const;
+
+ private:
+  struct Rows;
+  std::shared_ptr<const Rows> rows_;
 };
 
 /// The same, once.

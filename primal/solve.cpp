@@ -72,14 +72,11 @@ template <int dim> Solver<dim>::Solver(const Problem<dim>& problem, int degree, 
 template <int dim> Result<dim> Solver<dim>::solve(const Problem<dim>& problem, const std::vector<char>& closed) const {
   const Clock clock;
   const Factorised& of = *factorised_;
-  const Nodes<dim> nodes = make_nodes(problem, of.nodes.degree);
+  const Nodes<dim> nodes = of.own_nodes(problem);
   const std::vector<Row> rows = contact_rows(problem, nodes, of.any_gap);
-  if (nodes.body_nodes != of.nodes.body_nodes ||
-      !std::equal(rows.begin(), rows.end(), of.rows.begin(), of.rows.end(),
+  if (!std::equal(rows.begin(), rows.end(), of.rows.begin(), of.rows.end(),
                   [](const Row& a, const Row& b) { return a.entries == b.entries; }))
-    throw std::invalid_argument(
-        "primal::Solver: the problem has other unknowns or contact rows than the one that was "
-        "factorised");
+    throw std::invalid_argument("primal: the problem has other contact rows than the one that was factorised");
   const std::vector<Eigen::VectorXd> load = of.forces(problem, nodes);
   Eigen::VectorXd bounds(rows.size());
   contact::Limits limits{Eigen::VectorXd(rows.size()), Eigen::VectorXd(rows.size())};

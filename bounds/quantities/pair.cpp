@@ -130,26 +130,34 @@ PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, const std::arr
   return pair;
 }
 
+/// \param displacements of the same problem, if they are known
 template <int dim>
 dual::Result<dim> stresses_of(const Solvers<dim>& solvers, const scene::Problem<dim>& problem,
-                              const Closed& closed = {}) {
+                              const Closed& closed = {}, const primal::Result<dim>& displacements = {}) {
   if constexpr (dim == 2)
     return solvers.stresses->solve(problem, closed.dual);
   else
-    return local_stresses(*solvers.displacements, problem, solvers.sweeps, closed.primal);
+    return solvers.local_stresses->solve(problem, displacements);
 }
 
 }  // namespace
 
 template <int dim>
-dual::Result<dim> local_stresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem,
-                                 int sweeps, const std::vector<char>& closed) {
+LocalStresses<dim>::LocalStresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem,
+                                  int sweeps, bool again, const Clock& clock)
+    : pressures_(displacements, problem), of_pressures_(clock.seconds()), stars_(problem, again), sweeps_(sweeps) {}
+
+template <int dim>
+dual::Result<dim> LocalStresses<dim>::solve(const scene::Problem<dim>& problem,
+                                            const primal::Result<dim>& displacements) const {
+  if (problem.contact.empty() && !displacements.displacement.vertex.empty())
+    return stars_.solve(problem, {}, displacements.displacement, sweeps_);
   const Clock clock;
-  primal::PressureResult<dim> start = displacements.solve_with_pressure(problem, closed);
-  const double of_pressure = clock.seconds();
+  primal::PressureResult<dim> start = pressures_.solve(problem, displacements.closed);
+  const double of_pressure = of_pressures_ + clock.seconds();
   dual::Result<dim> result;
   if (start.termination == contact::Termination::solved) {
-    result = dual::local<dim>(problem, start.pressure, start.displacement, sweeps);
+    result = stars_.solve(problem, start.pressure, start.displacement, sweeps_);
     result.statistics.seconds.contact += of_pressure;
   } else {
     result.termination = start.termination;
@@ -168,12 +176,12 @@ Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& 
   const std::array<scene::Problem<dim>, 2> perturbed = {scene::perturbed(problem, by, s, -s),
                                                         scene::perturbed(problem, by, -s, s)};
   const auto solve = [&](int i) {
-    stresses[i] = stresses_of(solvers, perturbed[i], closed[i]);
     try {
       displacements[i] = solvers.displacements->solve(perturbed[i], closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
       displacements[i].reason = error.what();
     }
+    if (displacements[i].reason.empty()) stresses[i] = stresses_of(solvers, perturbed[i], closed[i], displacements[i]);
   };
   auto other = std::async(side_by_side, solve, 1);
   solve(0);
@@ -228,8 +236,7 @@ FunctionalBound one_sided_bound(const scene::Problem<dim>& problem, const Solver
 
 #define INSTANTIATE(dim)                                                                                    \
   template struct PerturbedPair<dim>;                                                                       \
-  template dual::Result<dim> local_stresses(const primal::Solver<dim>&, const scene::Problem<dim>&, int,    \
-                                            const std::vector<char>&);                                      \
+  template class LocalStresses<dim>;                                                                        \
   template Attempt<dim> solve_pair(const scene::Problem<dim>&, const Solvers<dim>&,                         \
                                    const std::shared_ptr<const scene::Perturbation<dim>>&, double,          \
                                    const std::array<Closed, 2>&);                                           \

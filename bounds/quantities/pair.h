@@ -6,25 +6,43 @@
 
 #include "bounds/certificate/certificate.h"
 #include "bounds/estimate/estimate.h"
+#include "contact/clock.h"
 #include "dual/dual.h"
 #include "primal/primal.h"
 
 /// The two perturbed problems that bound a functional, by both formulations (docs/theory.md §10).
 namespace bracket::bounds {
 
+/// Stresses star by star, from the displacements with pressures that are linear on each contact facet.
+template <int dim> class LocalStresses {
+ public:
+  /// \param sweeps over all stars   \param again whether several problems are to be solved: see dual::LocalSolver
+  LocalStresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem, int sweeps,
+                bool again = false)
+      : LocalStresses(displacements, problem, sweeps, again, Clock()) {}
+
+  /// \param problem as for primal::Solver::solve()
+  /// \param displacements its own, if they are known: the contact that they close is where pressure is expected; where
+  ///     nothing touches they are what is needed
+  /// \return with that termination where there are no such pressures
+  dual::Result<dim> solve(const scene::Problem<dim>& problem, const primal::Result<dim>& displacements = {}) const;
+
+ private:
+  LocalStresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem, int sweeps, bool again,
+                const Clock& clock);
+
+  primal::PressureSolver<dim> pressures_;
+  double of_pressures_;  ///< seconds that it took to make them
+  dual::LocalSolver<dim> stars_;
+  int sweeps_;
+};
+
 /// What has factorised a level, and what its contact is expected to be.
 template <int dim> struct Solvers {
   std::shared_ptr<const primal::Solver<dim>> displacements;
-  std::shared_ptr<const dual::Solver<dim>> stresses;  ///< none in space: see local_stresses()
-  int sweeps = 1;                                     ///< of local_stresses(), where there are none
+  std::shared_ptr<const dual::Solver<dim>> stresses;         ///< in the plane
+  std::shared_ptr<const LocalStresses<dim>> local_stresses;  ///< in space
 };
-/// Stresses star by star, from the displacements with pressures that are linear on each contact facet.
-/// \param sweeps over all stars   \param closed contact facets that the displacements are expected to close; empty:
-/// nothing is known
-/// \return with that termination where there are no such pressures
-template <int dim>
-dual::Result<dim> local_stresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem,
-                                 int sweeps, const std::vector<char>& closed = {});
 struct Closed {
   std::vector<char> primal, dual;
 };

@@ -28,7 +28,7 @@ template <class Block> class BlockCholesky {
   /// Lays out the factor, after all are connected. \param last which row is eliminated last
   void order(int last) {
     std::vector<char> done(size_, 0);
-    std::vector<std::vector<int>> graph = neighbours_;
+    std::vector<std::vector<int>> graph = std::move(neighbours_);
     for (int step = 0; step < size_; ++step) {
       int best = -1;
       for (int i = 0; i < size_; ++i)
@@ -98,7 +98,7 @@ template <class Block> class BlockCholesky {
   std::size_t at(int i, int j) const { return static_cast<std::size_t>(i) * size_ + j; }
 
   int size_;
-  std::vector<std::vector<int>> neighbours_, below_;  ///< of rows; of steps, what is eliminated later
+  std::vector<std::vector<int>> neighbours_, below_;  ///< of rows, until order(); of steps, what is eliminated later
   std::vector<int> sequence_;
   std::vector<int> place_;  ///< of each pair in `block_`, one of the two orders; −1: none
   std::vector<Block> block_;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "scene/parallel.h"
+
 namespace bracket::dual {
 
 namespace {
@@ -166,6 +168,12 @@ template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int
   return energy;
 }
 
+template <int dim> std::vector<Energy<dim>> energies_of(const scene::Problem<dim>& problem) {
+  std::vector<Energy<dim>> energies(problem.mesh.cells.size());
+  scene::for_each_index(static_cast<int>(energies.size()), [&](int c) { energies[c] = energy_of(problem, c); });
+  return energies;
+}
+
 template <int dim> Eigen::Matrix<double, dim, dim> hat_masses() {
   Eigen::Matrix<double, dim, dim> masses;
   for (int i = 0; i < dim; ++i)
@@ -216,6 +224,7 @@ template <int dim> const std::array<Eigen::Matrix<double, dim, dim>, std::size_t
                                                              const scene::BlockGeometry<dim, double>&,           \
                                                              const CellVector<dim>&, const scene::Vector<dim>&); \
   template Energy<dim> energy_of(const scene::Problem<dim>&, int);                                               \
+  template std::vector<Energy<dim>> energies_of(const scene::Problem<dim>&);                                     \
   template Eigen::Matrix<double, dim, dim> hat_masses<dim>();                                                    \
   template Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, n_facet_loads<dim>> resultants<dim>(      \
       const std::array<scene::Vector<dim>, dim>&);                                                               \

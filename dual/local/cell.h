@@ -28,19 +28,6 @@ template <int dim, int n> struct FacetForm {
   const FacetBlock<dim>& at(int i, int k) const { return block[i * (i + 1) / 2 + k]; }
   /// The same for any two of them.
   FacetBlock<dim> rows_of(int i, int k) const { return k <= i ? at(i, k) : FacetBlock<dim>(at(k, i).transpose()); }
-
-  using Vector = Eigen::Matrix<double, n * n_facet_loads<dim>, 1>;
-  Vector operator*(const Vector& x) const {
-    constexpr int one = n_facet_loads<dim>;
-    Vector result = Vector::Zero();
-    for (int i = 0; i < n; ++i)
-      for (int k = 0; k <= i; ++k) {
-        const FacetVector<dim> own = x.template segment<one>(one * i), other = x.template segment<one>(one * k);
-        result.template segment<one>(one * i) += times(at(i, k), other);
-        if (k < i) result.template segment<one>(one * k) += transposed_times(at(i, k), own);
-      }
-    return result;
-  }
 };
 template <int dim> using CellForm = FacetForm<dim, dim + 1>;
 
@@ -59,6 +46,50 @@ template <int dim> CellVector<dim> on_cell(int corner, const SpokeVector<dim>& l
   result.head(one * corner) = loads.head(one * corner);
   result.template segment<one>(one * corner).setZero();
   result.tail(one * (dim - corner)) = loads.tail(one * (dim - corner));
+  return result;
+}
+
+/// The facets of a cell but that opposite to a vertex, in their order.
+constexpr int facet_at(int corner, int i) { return i < corner ? i : i + 1; }
+/// Of a form of a cell's loads the rows of the facets at a vertex, by loads on these alone.
+template <int dim> SpokeVector<dim> times(const CellForm<dim>& form, int corner, const SpokeVector<dim>& x) {
+  constexpr int one = n_facet_loads<dim>;
+  SpokeVector<dim> result = SpokeVector<dim>::Zero();
+  for (int i = 0; i < dim; ++i)
+    for (int k = 0; k <= i; ++k) {
+      const FacetBlock<dim>& block = form.at(facet_at(corner, i), facet_at(corner, k));
+      const FacetVector<dim> own = x.template segment<one>(one * i), other = x.template segment<one>(one * k);
+      result.template segment<one>(one * i) += times(block, other);
+      if (k < i) result.template segment<one>(one * k) += transposed_times(block, own);
+    }
+  return result;
+}
+/// Of these rows what loads on the facet opposite add.
+template <int dim>
+void add_by_opposite(const CellForm<dim>& form, int corner, const FacetVector<dim>& opposite, SpokeVector<dim>& to) {
+  constexpr int one = n_facet_loads<dim>;
+  for (int i = 0; i < dim; ++i) {
+    const int facet = facet_at(corner, i);
+    to.template segment<one>(one * i) +=
+        facet > corner ? times(form.at(facet, corner), opposite) : transposed_times(form.at(corner, facet), opposite);
+  }
+}
+/// The rows of the facet opposite, by loads on the others.
+template <int dim> FacetVector<dim> opposite_times(const CellForm<dim>& form, int corner, const SpokeVector<dim>& x) {
+  constexpr int one = n_facet_loads<dim>;
+  FacetVector<dim> result = FacetVector<dim>::Zero();
+  for (int i = 0; i < dim; ++i) {
+    const int facet = facet_at(corner, i);
+    const FacetVector<dim> own = x.template segment<one>(one * i);
+    result += facet > corner ? transposed_times(form.at(facet, corner), own) : times(form.at(corner, facet), own);
+  }
+  return result;
+}
+/// The rows of the facets at a vertex, by loads on all.
+template <int dim> SpokeVector<dim> times(const CellForm<dim>& form, int corner, const CellVector<dim>& x) {
+  constexpr int one = n_facet_loads<dim>;
+  SpokeVector<dim> result = times(form, corner, on_spokes<dim>(corner, x));
+  add_by_opposite<dim>(form, corner, x.template segment<one>(one * corner), result);
   return result;
 }
 
@@ -97,6 +128,7 @@ template <int dim> struct Energy {
   Eigen::Matrix<double, n_cell_loads<dim>, dim> by_body_force;  ///< B
 };
 template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell);
+template <int dim> std::vector<Energy<dim>> energies_of(const scene::Problem<dim>& problem);  ///< of all cells
 
 /// Facet loads by the force and the moments about the origin in the planes of Simplex::rotations that they are.
 /// \param x the vertices of the facet

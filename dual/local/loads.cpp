@@ -2,7 +2,7 @@
 #include "dual/local/loads.h"
 
 #include "dual/local/boundary.h"
-#include "dual/local/target.h"
+#include "dual/local/smoothed.h"
 #include "scene/parallel.h"
 #include "scene/voigt.h"
 
@@ -54,34 +54,61 @@ Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1> share_of(const sc
   return result;
 }
 
+/// σ*, close to that of a displacement.
+template <int dim>
+std::vector<LinearStress<dim>> target(const typename LocalSolver<dim>::Frame& frame, const Problem<dim>& problem,
+                                      const std::vector<FacetVector<dim>>& given,
+                                      const scene::Displacement<dim>& displacement) {
+  std::vector<LinearStress<dim>> stress = smoothed(problem, frame.stars, displacement);
+  const auto put_in_balance = [&](const Repair<dim>& repair) {
+    repair.put_in_balance(problem, frame.facets, frame.stars, given, stress);
+  };
+  if (frame.repair)
+    put_in_balance(*frame.repair);
+  else
+    put_in_balance(Repair<dim>(problem, frame.stars));
+  return stress;
+}
+
 }  // namespace
 
 template <int dim>
-Loads<dim>::Loads(const Problem<dim>& problem, Pressure pressure, const scene::Displacement<dim>& displacement)
-    : problem_(problem), facets_(facets_of(problem)), pressure_(std::move(pressure)) {
-  const auto& mesh = problem.mesh;
-  const Stars stars = stars_of(mesh);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    stars_.emplace_back(problem, facets_, stars, static_cast<int>(v));
-  groups_ = groups_apart(mesh, stars_);
-  given_ = given_loads(problem, facets_, pressure_);
-  target_ = target_stress(problem, facets_, stars_, given_, displacement);
-  const int n = static_cast<int>(mesh.cells.size());
-  energy_.resize(n);
-  loads_.resize(n);
-  scene::for_each_index(n, [&](int c) {
-    energy_[c] = energy_of(problem, c);
-    loads_[c] = loads_of(mesh, c, target_[c]);
-  });
-  prescribed_ = prescribed_moments(problem, facets_);
+Loads<dim>::Loads(const Frame& frame, const Problem<dim>& problem, Pressure pressure,
+                  const scene::Displacement<dim>& displacement)
+    : frame_(frame),
+      problem_(problem),
+      pressure_(std::move(pressure)),
+      given_(given_loads(problem, frame.facets, pressure_)),
+      target_(target(frame, problem, given_, displacement)),
+      own_(frame.energy.empty() ? energies_of(problem) : std::vector<Energy<dim>>()),
+      energy_(frame.energy.empty() ? own_ : frame.energy),
+      loads_(problem.mesh.cells.size()),
+      prescribed_(prescribed_moments(problem, frame.facets)) {
+  scene::for_each_index(static_cast<int>(loads_.size()),
+                        [&](int c) { loads_[c] = loads_of(problem.mesh, c, target_[c]); });
 }
 
-/// One after the other, but for those that have no cell in common.
-template <int dim> template <class Work> void Loads<dim>::for_each_star(const Work& work) {
-  constexpr int at_once = 16;  // a star is as much work as some dozens of cells
-  for (const std::vector<int>& together : groups_)
-    scene::for_each_index(
-        static_cast<int>(together.size()), [&](int i) { work(stars_[together[i]]); }, at_once);
+template <int dim> std::shared_ptr<const StarSystem<dim>> Loads<dim>::system(const Star<dim>& star) const {
+  if (frame_.systems.empty()) return std::make_shared<const StarSystem<dim>>(star, energy_);
+  return frame_.kept(star);
+}
+
+template <int dim>
+void Loads<dim>::for_each_pressed(const std::function<void(const Pressed<dim>&, const Systems<dim>&)>& work) const {
+  const auto systems = [&](const Pressed<dim>& pressed) {
+    Systems<dim> result;
+    for (const int v : pressed.stars) result.push_back(system(frame_.stars[v]));
+    return result;
+  };
+  for (const Pressed<dim>& kept : frame_.pressed) work(kept, systems(kept));
+  if (!frame_.systems.empty()) return;
+  const auto contacts = contacts_by_vertex(problem_);
+  for (std::size_t v = 0; v < contacts.size(); ++v) {
+    if (contacts[v].empty()) continue;
+    Pressed<dim> pressed = pressed_at(problem_, frame_.facets, frame_.stars, static_cast<int>(v), contacts[v]);
+    const Systems<dim> own = systems(pressed);
+    work(with_forms(std::move(pressed), frame_.stars, own), own);
+  }
 }
 
 template <int dim>
@@ -104,35 +131,36 @@ template <int dim> void Loads<dim>::equilibrate() {
   }
   std::vector<CellVector<dim>> change(n, CellVector<dim>::Zero());
   std::vector<int> done(n, 0);
-  for_each_star([&](const Star<dim>& star) {
+  frame_.for_each_star([&](const Star<dim>& star) {
     StarData<dim> data(star);
     for (std::size_t i = 0; i < star.cells().size(); ++i) {
       const int c = star.cells()[i];
       ++done[c];
-      data.gradient[i] = on_spokes<dim>(
-          star.corner(i), energy_[c].loads * change[c] + energy_[c].by_body_force * (done[c] / (dim + 1.0) * force[c]));
+      data.gradient[i] = times<dim>(energy_[c].loads, star.corner(i), change[c]) +
+                         on_spokes<dim>(star.corner(i), energy_[c].by_body_force * (done[c] / (dim + 1.0) * force[c]));
       data.resultant[i] = -share_of<dim>(mesh, force[c], c, star.corner(i));
     }
     for (std::size_t f = 0; f < star.spokes().size(); ++f) {
       const int number = star.spokes()[f];
-      data.sum[f] = applied<dim>(share_of_vertex<dim>()[slot(facets_, number, star.vertex())], lacking[number]);
+      data.sum[f] = applied<dim>(share_of_vertex<dim>()[slot(frame_.facets, number, star.vertex())], lacking[number]);
     }
-    add(star, system(star).solve(data).loads, change);
+    add(star, system(star)->solve(data).loads, change);
   });
   for (std::size_t c = 0; c < n; ++c) loads_[c] += change[c];
   target_.clear();
 }
 
 template <int dim> void Loads<dim>::sweep() {
-  for_each_star([&](const Star<dim>& star) { add(star, system(star).solve(as_they_are(star)).loads); });
+  frame_.for_each_star([&](const Star<dim>& star) { add(star, system(star)->solve(as_they_are(star)).loads); });
 }
 
 template <int dim> StarData<dim> Loads<dim>::as_they_are(const Star<dim>& star) const {
   StarData<dim> data(star);
   for (std::size_t i = 0; i < star.cells().size(); ++i) {
     const int c = star.cells()[i];
-    data.gradient[i] = on_spokes<dim>(
-        star.corner(i), energy_[c].loads * loads_[c] + energy_[c].by_body_force * body_of(problem_, c).force);
+    data.gradient[i] = times<dim>(energy_[c].loads, star.corner(i), loads_[c]);
+    if (const Vector<dim>& force = body_of(problem_, c).force; !force.isZero(0))
+      data.gradient[i] += on_spokes<dim>(star.corner(i), energy_[c].by_body_force * force);
   }
   for (std::size_t f = 0; f < star.spokes().size(); ++f) data.prescribed[f] = prescribed_[star.spokes()[f]];
   return data;
@@ -140,7 +168,7 @@ template <int dim> StarData<dim> Loads<dim>::as_they_are(const Star<dim>& star) 
 
 template <int dim> int Loads<dim>::unknowns() const {
   int sum = 0;
-  for (const auto& facet : facets_.facet)
+  for (const auto& facet : frame_.facets.facet)
     sum += facet.boundary < 0 || facet.support == Support::fixed ? n_facet_loads<dim>
            : facet.support == Support::sliding                   ? dim
                                                                  : 0;

@@ -1,7 +1,9 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dual/local/star_system.h"
+#include <functional>
+
+#include "dual/local/frame.h"
 
 namespace bracket::dual {
 
@@ -9,10 +11,14 @@ namespace bracket::dual {
 template <int dim> class Loads {
  public:
   using Pressure = std::vector<std::array<double, std::size_t{dim}>>;
+  using Frame = typename LocalSolver<dim>::Frame;
 
   /// As yet not in balance.
-  /// \param pressure, displacement as local() has them
-  Loads(const scene::Problem<dim>& problem, Pressure pressure, const scene::Displacement<dim>& displacement);
+  /// \param frame, problem kept by reference   \param pressure, displacement as LocalSolver::solve() has them
+  Loads(const Frame& frame, const scene::Problem<dim>& problem, Pressure pressure,
+        const scene::Displacement<dim>& displacement);
+  Loads(const Loads&) = delete;
+  Loads& operator=(const Loads&) = delete;
 
   /// Stars one after the other hand the target's loads out such that cells and facets are in balance; each sees what
   /// those before it changed (docs/theory.md §12.2). To be called once, before all else.
@@ -22,9 +28,12 @@ template <int dim> class Loads {
   void sweep();
 
   const scene::Problem<dim>& problem() const { return problem_; }
-  const Facets<dim>& facets() const { return facets_; }
-  const Star<dim>& star(int vertex) const { return stars_[vertex]; }
-  StarSystem<dim> system(const Star<dim>& star) const { return {star, energy_}; }
+  const Facets<dim>& facets() const { return frame_.facets; }
+  const Star<dim>& star(int vertex) const { return frame_.stars[vertex]; }
+  /// The frame's, or one of its own.
+  std::shared_ptr<const StarSystem<dim>> system(const Star<dim>& star) const;
+  /// Does work(pressed, systems) for each vertex in contact, by its number.
+  void for_each_pressed(const std::function<void(const Pressed<dim>&, const Systems<dim>&)>& work) const;
   /// Changes of the loads on a star that leave all in balance, and what S would gain by them.
   StarData<dim> as_they_are(const Star<dim>& star) const;
   /// Adds to the loads on the spokes of a star, cell by cell.
@@ -38,18 +47,16 @@ template <int dim> class Loads {
   scene::Stress<dim> stress() const;
 
  private:
-  template <class Work> void for_each_star(const Work& work);
   static void add(const Star<dim>& star, const std::vector<SpokeVector<dim>>& change,
                   std::vector<CellVector<dim>>& loads);
 
+  const Frame& frame_;
   const scene::Problem<dim>& problem_;
-  Facets<dim> facets_;
   Pressure pressure_;
-  std::vector<Star<dim>> stars_;
-  std::vector<std::vector<int>> groups_;      ///< of stars that have no cell in common
   std::vector<FacetVector<dim>> given_;       ///< by the boundary, until equilibrate()
-  std::vector<LinearStress<dim>> target_;     ///< likewise
-  std::vector<Energy<dim>> energy_;           ///< of each cell
+  std::vector<LinearStress<dim>> target_;     ///< σ* (docs/theory.md §12.3), likewise
+  const std::vector<Energy<dim>> own_;        ///< of each cell; empty: the frame's are kept
+  const std::vector<Energy<dim>>& energy_;    ///< of each cell
   std::vector<CellVector<dim>> loads_;        ///< of each cell
   std::vector<FacetVector<dim>> prescribed_;  ///< displacements of facets, by moments
 };

@@ -9,19 +9,25 @@
 namespace bracket::dual {
 
 template <int dim>
-Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::array<double, std::size_t{dim}>>& pressure,
-                  const scene::Displacement<dim>& displacement, int sweeps) {
+LocalSolver<dim>::LocalSolver(const scene::Problem<dim>& problem, bool again)
+    : frame_(std::make_shared<const Frame>(problem, again)) {}
+
+template <int dim>
+Result<dim> LocalSolver<dim>::solve(const scene::Problem<dim>& problem, const Pressure& pressure,
+                                    const scene::Displacement<dim>& displacement, int sweeps) const {
   constexpr int contact_sweeps = 2;  // before the first sweep; after each one more
   Clock clock;
   Result<dim> result;
   contact::Statistics& statistics = result.statistics;
+  statistics.seconds = frame_->seconds;
   try {
-    Loads<dim> loads(problem, pressure, displacement);
-    statistics.seconds.assemble = clock.lap();
+    if (frame_->not_definite) throw NotDefinite(*frame_->not_definite);
+    Loads<dim> loads(*frame_, problem, pressure, displacement);
+    statistics.seconds.assemble += clock.lap();
     loads.equilibrate();
-    statistics.seconds.factorise = clock.lap();
+    statistics.seconds.factorise += clock.lap();
     for (int i = 0; i < contact_sweeps; ++i) contact_sweep(loads);
-    statistics.seconds.contact = clock.lap();
+    statistics.seconds.contact += clock.lap();
     for (int i = 0; i < sweeps; ++i) {
       loads.sweep();
       statistics.seconds.factorise += clock.lap();
@@ -46,6 +52,14 @@ Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::arr
   return result;
 }
 
+template <int dim>
+Result<dim> local(const scene::Problem<dim>& problem, const std::vector<std::array<double, std::size_t{dim}>>& pressure,
+                  const scene::Displacement<dim>& displacement, int sweeps) {
+  return LocalSolver<dim>(problem).solve(problem, pressure, displacement, sweeps);
+}
+
+template class LocalSolver<2>;
+template class LocalSolver<3>;
 template Result<2> local<2>(const scene::Problem<2>&, const std::vector<std::array<double, 2>>&,
                             const scene::Displacement<2>&, int);
 template Result<3> local<3>(const scene::Problem<3>&, const std::vector<std::array<double, 3>>&,

@@ -11,15 +11,27 @@ namespace bracket::dual {
 /// a b
 template <class Block, class Vector> Vector times(const Block& a, const Vector& b) {
   constexpr int n = Block::RowsAtCompileTime;
-  Vector result = Vector::Zero();
+  double sum[n] = {};
   for (int k = 0; k < n; ++k)
-    for (int i = 0; i < n; ++i) result.data()[i] += a.data()[n * k + i] * b.data()[k];
+    for (int i = 0; i < n; ++i) sum[i] += a.data()[n * k + i] * b.data()[k];
+  Vector result;
+  for (int i = 0; i < n; ++i) result.data()[i] = sum[i];
   return result;
 }
 /// aᵀ b
 template <class Block, class Vector> Vector transposed_times(const Block& a, const Vector& b) {
+  constexpr int n = Block::RowsAtCompileTime;
   Vector result;
-  for (int k = 0; k < Block::ColsAtCompileTime; ++k) result[k] = a.col(k).dot(b);
+  for (int k = 0; k < n; ++k) {  // two sums, for they wait less for each other
+    const double* column = a.data() + n * k;
+    double even = 0, odd = 0;
+    for (int i = 0; i + 1 < n; i += 2) {
+      even += column[i] * b.data()[i];
+      odd += column[i + 1] * b.data()[i + 1];
+    }
+    if (n % 2 == 1) even += column[n - 1] * b.data()[n - 1];
+    result.data()[k] = even + odd;
+  }
   return result;
 }
 /// to −= a bᵀ; a and b have as many rows as `to`, `depth` columns, which begin `stride` numbers from each other.

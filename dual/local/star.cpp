@@ -43,7 +43,9 @@ template <int dim> Facets<dim> facets_of(const scene::Problem<dim>& problem) {
     auto& facet = facets.facet[cell_facets(mesh, mesh.boundary[f].cell)[mesh.boundary[f].local]];
     facet.boundary = static_cast<int>(f);
     facet.support = problem.facets[f].support;
+    facet.normal = problem.facets[f].normal;
   }
+  facets.position = mesh.vertices;
   return facets;
 }
 
@@ -62,7 +64,7 @@ template <int dim> Stars stars_of(const scene::Mesh<dim>& mesh) {
 
 template <int dim>
 Star<dim>::Star(const scene::Problem<dim>& problem, const Facets<dim>& facets, const Stars& stars, int vertex)
-    : problem_(problem), facets_(facets), vertex_(vertex) {
+    : facets_(facets), vertex_(vertex) {
   const auto& mesh = problem.mesh;
   const Vector<dim>& centre = mesh.vertices[vertex];
   cells_.assign(stars.cell.begin() + stars.first[vertex], stars.cell.begin() + stars.first[vertex + 1]);
@@ -85,8 +87,7 @@ Star<dim>::Star(const scene::Problem<dim>& problem, const Facets<dim>& facets, c
     std::array<Vector<dim>, dim> x;
     for (int k = 0; k < dim; ++k) x[k] = mesh.vertices[facet.vertices[k]] - centre;
     const auto moved = motions_of<dim>(x, size_);
-    for (int k = 0; k < dim; ++k)
-      slides.push_back(problem.facets[facet.boundary].normal.transpose() * moved.template middleRows<dim>(dim * k));
+    for (int k = 0; k < dim; ++k) slides.push_back(facet.normal.transpose() * moved.template middleRows<dim>(dim * k));
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     std::array<int, dim> own;
@@ -116,13 +117,8 @@ Star<dim>::Star(const scene::Problem<dim>& problem, const Facets<dim>& facets, c
 template <int dim> std::array<Vector<dim>, dim> Star<dim>::arms(int spoke) const {
   std::array<Vector<dim>, dim> x;
   for (int k = 0; k < dim; ++k)
-    x[k] = problem_.mesh.vertices[facets_.facet[spokes_[spoke]].vertices[k]] - problem_.mesh.vertices[vertex_];
+    x[k] = facets_.position[facets_.facet[spokes_[spoke]].vertices[k]] - facets_.position[vertex_];
   return x;
-}
-
-template <int dim> const scene::FacetData<dim>* Star<dim>::data(int spoke) const {
-  const int boundary = facets_.facet[spokes_[spoke]].boundary;
-  return boundary < 0 ? nullptr : &problem_.facets[boundary];
 }
 
 template <int dim>

@@ -12,8 +12,10 @@ template <int dim> struct Facets {
     std::array<int, dim> vertices;  ///< by increasing number
     scene::Support support;         ///< of the boundary
     int boundary = -1;              ///< index into Mesh::boundary; −1: inside
+    scene::Vector<dim> normal;      ///< of the boundary: FacetData::normal
   };
   std::vector<Facet> facet;
+  std::vector<scene::Vector<dim>> position;  ///< of the mesh's vertices
 };
 template <int dim> Facets<dim> facets_of(const scene::Problem<dim>& problem);
 
@@ -41,7 +43,7 @@ template <int dim>
 using Motions = Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, Eigen::Dynamic, 0,
                               scene::Simplex<dim>::n_rigid_motions, scene::Simplex<dim>::n_rigid_motions>;
 
-/// One star and its facets.
+/// One star and its facets, which are kept by reference.
 template <int dim> class Star {
  public:
   Star(const scene::Problem<dim>& problem, const Facets<dim>& facets, const Stars& stars, int vertex);
@@ -56,14 +58,12 @@ template <int dim> class Star {
   const std::array<int, dim>& spokes_of(std::size_t i) const { return cell_spokes_[i]; }
   /// The motions about the vertex that the supports of its spokes leave, rotations by the star's size.
   const Motions<dim>& motions() const { return motions_; }
-  /// The boundary data of a spoke; null: it lies inside.
-  const scene::FacetData<dim>* data(int spoke) const;
+  const typename Facets<dim>::Facet& spoke(std::size_t i) const { return facets_.facet[spokes_[i]]; }
   double size() const { return size_; }
   /// The position of a spoke's vertices about the star's.
   std::array<scene::Vector<dim>, dim> arms(int spoke) const;
 
  private:
-  const scene::Problem<dim>& problem_;
   const Facets<dim>& facets_;
   int vertex_;
   double size_ = 0;

@@ -21,60 +21,83 @@ StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>
       energy_(energy),
       unknown_(star.spokes().size(), -1),
       normal_(star.spokes().size(), nullptr),
-      response_(star.cells().size()),
-      balance_(star.cells().size()),
+      opposite_(star.cells().size()),
       balance_root_(star.cells().size()) {
-  for (std::size_t c = 0; c < star.cells().size(); ++c) set_form(c);
   int n = 0, last = -1;
   for (std::size_t f = 0; f < star.spokes().size(); ++f) {
-    const scene::FacetData<dim>* data = star.data(static_cast<int>(f));
-    if (data && data->support == Support::fixed) continue;
+    const auto& spoke = star.spoke(f);
+    if (spoke.boundary >= 0 && spoke.support == Support::fixed) continue;
     unknown_[f] = n++;
-    if (data && data->support == Support::sliding)
-      normal_[f] = &data->normal;
+    if (spoke.boundary >= 0 && spoke.support == Support::sliding)
+      normal_[f] = &spoke.normal;
     else
       last = unknown_[f];
   }
-  if (n == 0) return;
   matrix_ = BlockCholesky<Block>(n);
   for (std::size_t c = 0; c < star.cells().size(); ++c)
     for (const int f : star.spokes_of(c))
       for (const int g : star.spokes_of(c))
         if (unknown_[f] >= 0 && unknown_[g] >= 0) matrix_.connect(unknown_[f], unknown_[g]);
   matrix_.order(last < 0 ? n - 1 : last);
-  assemble();
+  for (std::size_t c = 0; c < star.cells().size(); ++c) add(c, set_form(c));
+  if (n == 0) return;
+  hold_what_slides();
   if (!matrix_.factorise()) throw NotDefinite{star.vertex()};
 }
 
-/// The facet opposite to the vertex moves such that its loads are zero.
-template <int dim> void StarSystem<dim>::set_form(std::size_t cell) {
+/// The resultants of the loads on a cell's spokes, moments about the vertex.
+template <int dim> typename StarSystem<dim>::Balance StarSystem<dim>::balance(std::size_t cell) const {
   constexpr int one = n_facet_loads<dim>;
-  const int corner = star_.corner(cell);
-  const CellForm<dim>& stiffness = energy_[star_.cells()[cell]].stiffness;
-  Block opposite = stiffness.at(corner, corner);
-  if (!dual::factorise(opposite)) throw NotDefinite{star_.vertex()};
-  std::array<Block, dim> by_opposite;
-  const auto facet = [&](int i) { return i < corner ? i : i + 1; };
-  for (int i = 0; i < dim; ++i) {
-    by_opposite[i] = stiffness.rows_of(facet(i), corner);
-    divide(by_opposite[i], opposite);
-    for (int k = 0; k <= i; ++k) {
-      response_[cell].at(i, k) = stiffness.at(facet(i), facet(k));
-      subtract_product(response_[cell].at(i, k), by_opposite[i], by_opposite[k]);
-    }
-    balance_[cell].template middleCols<one>(one * i) = resultants<dim>(star_.arms(star_.spokes_of(cell)[i]));
-  }
-  balance_root_[cell] = balance_[cell].lazyProduct(balance_[cell].transpose());
-  if (!dual::factorise(balance_root_[cell])) throw NotDefinite{star_.vertex()};
+  Balance result;
+  for (int i = 0; i < dim; ++i)
+    result.template middleCols<one>(one * i) = resultants<dim>(star_.arms(star_.spokes_of(cell)[i]));
+  return result;
 }
 
-/// Adds to the loads of a cell the smallest that have a resultant.
+/// The facet opposite to the vertex moves such that its loads are zero.
+template <int dim> typename StarSystem<dim>::Response StarSystem<dim>::set_form(std::size_t cell) {
+  const int corner = star_.corner(cell);
+  const CellForm<dim>& stiffness = energy_[star_.cells()[cell]].stiffness;
+  Block& opposite = opposite_[cell];
+  opposite = stiffness.at(corner, corner);
+  if (!dual::factorise(opposite)) throw NotDefinite{star_.vertex()};
+  Response response;
+  std::array<Block, dim> by_opposite;
+  for (int i = 0; i < dim; ++i) {
+    by_opposite[i] = stiffness.rows_of(facet_at(corner, i), corner);
+    divide(by_opposite[i], opposite);
+    for (int k = 0; k <= i; ++k) {
+      response.at(i, k) = stiffness.at(facet_at(corner, i), facet_at(corner, k));
+      subtract_product(response.at(i, k), by_opposite[i], by_opposite[k]);
+    }
+  }
+  const Balance of_cell = balance(cell);
+  balance_root_[cell] = of_cell.lazyProduct(of_cell.transpose());
+  if (!dual::factorise(balance_root_[cell])) throw NotDefinite{star_.vertex()};
+  return response;
+}
+
+/// The same response, without a matrix of its own.
 template <int dim>
-void StarSystem<dim>::add_shortest(std::size_t cell, const Resultant& resultant, Spokes& loads) const {
+typename StarSystem<dim>::Spokes StarSystem<dim>::respond(std::size_t cell, const Spokes& slope) const {
+  const int corner = star_.corner(cell);
+  const CellForm<dim>& stiffness = energy_[star_.cells()[cell]].stiffness;
+  FacetVector<dim> motion = -opposite_times<dim>(stiffness, corner, slope);
+  solve_lower(opposite_[cell], motion);
+  solve_upper(opposite_[cell], motion);
+  Spokes loads = times<dim>(stiffness, corner, slope);
+  add_by_opposite<dim>(stiffness, corner, motion, loads);
+  return loads;
+}
+
+/// Adds to the loads of a cell the smallest that have a resultant. \param of_cell its balance
+template <int dim>
+void StarSystem<dim>::add_shortest(std::size_t cell, const Balance& of_cell, const Resultant& resultant,
+                                   Spokes& loads) const {
   Resultant amount = resultant;
   solve_lower(balance_root_[cell], amount);
   solve_upper(balance_root_[cell], amount);
-  loads += balance_[cell].transpose().lazyProduct(amount);
+  loads += of_cell.transpose().lazyProduct(amount);
 }
 
 /// Takes what is along the normal of a spoke out of rows that are of its loads.
@@ -87,20 +110,25 @@ template <int dim> template <class Rows> void StarSystem<dim>::make_tangential(i
   }
 }
 
-template <int dim> void StarSystem<dim>::assemble() {
-  constexpr int one = n_facet_loads<dim>;
-  for (std::size_t c = 0; c < response_.size(); ++c) {
-    const auto& own = star_.spokes_of(c);
-    for (int i = 0; i < dim; ++i)
-      for (int k = 0; k <= i; ++k) {
-        if (unknown_[own[i]] < 0 || unknown_[own[k]] < 0) continue;
-        Block block = response_[c].at(i, k);
-        make_tangential(own[i], block);
-        block.transposeInPlace();
-        make_tangential(own[k], block);
-        matrix_.add(unknown_[own[k]], unknown_[own[i]], block);
+template <int dim> void StarSystem<dim>::add(std::size_t cell, const Response& response) {
+  const auto& own = star_.spokes_of(cell);
+  for (int i = 0; i < dim; ++i)
+    for (int k = 0; k <= i; ++k) {
+      if (unknown_[own[i]] < 0 || unknown_[own[k]] < 0) continue;
+      if (!normal_[own[i]] && !normal_[own[k]]) {
+        matrix_.add(unknown_[own[i]], unknown_[own[k]], response.at(i, k));
+        continue;
       }
-  }
+      Block block = response.at(i, k);
+      make_tangential(own[i], block);
+      block.transposeInPlace();
+      make_tangential(own[k], block);
+      matrix_.add(unknown_[own[k]], unknown_[own[i]], block);
+    }
+}
+
+template <int dim> void StarSystem<dim>::hold_what_slides() {
+  constexpr int one = n_facet_loads<dim>;
   int last = 0;
   for (std::size_t f = 0; f < unknown_.size(); ++f) {
     if (unknown_[f] < 0) continue;
@@ -122,19 +150,19 @@ template <int dim> void StarSystem<dim>::assemble() {
 
 template <int dim> typename StarSystem<dim>::Solution StarSystem<dim>::solve(const StarData<dim>& data) const {
   constexpr int one = n_facet_loads<dim>;
-  Solution found{std::vector<Spokes>(response_.size()), data.prescribed};
+  Solution found{std::vector<Spokes>(opposite_.size()), data.prescribed};
   for (std::size_t f = 0; f < unknown_.size(); ++f)
     if (unknown_[f] >= 0 && !normal_[f]) found.displacement[f].setZero();
-  for (std::size_t c = 0; c < response_.size(); ++c) {
+  for (std::size_t c = 0; c < opposite_.size(); ++c) {
     Spokes slope = -data.gradient[c];
     for (int i = 0; i < dim; ++i) slope.template segment<one>(one * i) += found.displacement[star_.spokes_of(c)[i]];
     Spokes& loads = found.loads[c];
     loads.setZero();
     if (!data.resultant[c].isZero(0)) {
-      add_shortest(c, data.resultant[c], loads);
-      slope -= on_spokes<dim>(star_.corner(c), energy_[star_.cells()[c]].loads * on_cell<dim>(star_.corner(c), loads));
+      add_shortest(c, balance(c), data.resultant[c], loads);
+      slope -= times<dim>(energy_[star_.cells()[c]].loads, star_.corner(c), loads);
     }
-    loads += response_[c] * slope;
+    loads += respond(c, slope);
   }
   // Rounding of the cells' stiffness leaves a balance worth less than the loads' last digits: what is lacking is handed
   // out in the same way, until that is of no more use.
@@ -155,12 +183,13 @@ template <int dim> double StarSystem<dim>::handed_out(const StarData<dim>& data,
   std::vector<FacetVector<dim>> right(matrix_.size());
   for (std::size_t f = 0; f < unknown_.size(); ++f)
     if (unknown_[f] >= 0) right[unknown_[f]] = data.sum[f];
-  for (std::size_t c = 0; c < response_.size(); ++c) {
-    const Resultant rest = data.resultant[c] - balance_[c].lazyProduct(found.loads[c]);
+  for (std::size_t c = 0; c < opposite_.size(); ++c) {
+    const Balance of_cell = balance(c);
+    const Resultant rest = data.resultant[c] - of_cell.lazyProduct(found.loads[c]);
     lacking = std::max(
         {lacking, rest.template head<dim>().template lpNorm<Eigen::Infinity>(),
          rest.template tail<scene::Simplex<dim>::n_rotations>().template lpNorm<Eigen::Infinity>() / star_.size()});
-    add_shortest(c, rest, found.loads[c]);
+    add_shortest(c, of_cell, rest, found.loads[c]);
     largest = std::max(largest, found.loads[c].template lpNorm<Eigen::Infinity>());
     for (int i = 0; i < dim; ++i)
       if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0)
@@ -179,11 +208,11 @@ template <int dim> double StarSystem<dim>::handed_out(const StarData<dim>& data,
     make_tangential(static_cast<int>(f), right[unknown_[f]]);
     found.displacement[f] += right[unknown_[f]];
   }
-  for (std::size_t c = 0; c < response_.size(); ++c) {
+  for (std::size_t c = 0; c < opposite_.size(); ++c) {
     Spokes added = Spokes::Zero();
     for (int i = 0; i < dim; ++i)
       if (const int f = unknown_[star_.spokes_of(c)[i]]; f >= 0) added.template segment<one>(one * i) = right[f];
-    found.loads[c] += response_[c] * added;
+    found.loads[c] += respond(c, added);
   }
   return lacking;
 }

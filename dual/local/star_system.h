@@ -45,24 +45,27 @@ template <int dim> class StarSystem {
   std::vector<FacetVector<dim>> moved_by(int spoke, const FacetVector<dim>& sum) const;
 
  private:
+  /// D = response (μ − gradient) of the loads on a cell's spokes, balanced; those on the facet opposite are zero.
   using Response = FacetForm<dim, dim>;
   using Resultant = Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1>;
   using Balance = Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, n_spoke_loads<dim>>;
   using Block = FacetBlock<dim>;
-  void set_form(std::size_t cell);
-  void assemble();
+  Response set_form(std::size_t cell);
+  void add(std::size_t cell, const Response& response);
+  void hold_what_slides();
+  Spokes respond(std::size_t cell, const Spokes& slope) const;
+  Balance balance(std::size_t cell) const;
   double handed_out(const StarData<dim>& data, Solution& found) const;
-  void add_shortest(std::size_t cell, const Resultant& resultant, Spokes& loads) const;
+  void add_shortest(std::size_t cell, const Balance& of_cell, const Resultant& resultant, Spokes& loads) const;
   template <class Rows> void make_tangential(int spoke, Rows&& rows) const;
 
   const Star<dim>& star_;
   const std::vector<Energy<dim>>& energy_;
   std::vector<int> unknown_;                       ///< of each spoke; −1: on Γ_u
   std::vector<const scene::Vector<dim>*> normal_;  ///< of spokes on Γ_0
-  std::vector<Response> response_;                 ///< of each cell: D = response (μ − gradient), balanced
-  std::vector<Balance> balance_;                   ///< of each cell: the resultant of D
+  std::vector<Block> opposite_;                    ///< of each cell: the root of its stiffness at the facet opposite
   std::vector<Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, scene::Simplex<dim>::n_rigid_motions>>
-      balance_root_;  ///< L, L Lᵀ = balance balanceᵀ
+      balance_root_;  ///< of each cell: L, L Lᵀ = balance balanceᵀ
   BlockCholesky<Block> matrix_;
 };
 

@@ -1,8 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "dual/local/target.h"
 
-#include "contact/contact.h"
-#include "dual/local/smoothed.h"
+#include <limits>
+
 #include "scene/mesh/dissection.h"
 #include "scene/parallel.h"
 #include "scene/voigt.h"
@@ -117,102 +117,99 @@ std::vector<Eigen::VectorXd> defects(const Problem<dim>& problem, const Facets<d
 }  // namespace
 
 template <int dim>
-std::vector<LinearStress<dim>> target_stress(const Problem<dim>& problem, const Facets<dim>& facets,
-                                             const std::vector<Star<dim>>& stars,
-                                             const std::vector<FacetVector<dim>>& given,
-                                             const scene::Displacement<dim>& displacement) {
+Repair<dim>::Repair(const Problem<dim>& problem, const std::vector<Star<dim>>& stars)
+    : node_(stars.size(), -1), component_(stars.size()), offsets_(problem.mesh.components.size(), {0}) {
   const auto& mesh = problem.mesh;
   const int n_cells = static_cast<int>(mesh.cells.size());
-  std::vector<LinearStress<dim>> stress = smoothed(problem, stars, displacement);
-
   // Vertices are nodes, of each component in their order.
-  std::vector<int> node(stars.size(), -1);
-  std::vector<std::vector<int>> offsets(mesh.components.size(), {0}), cell_nodes(mesh.components.size());
+  std::vector<std::vector<int>> cell_nodes(mesh.components.size());
   std::vector<std::vector<std::uint64_t>> paths(mesh.components.size());
   const std::vector<std::uint64_t> all_paths = scene::dissect(mesh);
-  std::vector<int> component(stars.size());
   for (int c = 0; c < n_cells; ++c) {
-    auto& of = offsets[mesh.cell_component[c]];
+    auto& of = offsets_[mesh.cell_component[c]];
     for (const int v : mesh.cells[c]) {
-      if (node[v] < 0) {
-        node[v] = static_cast<int>(of.size()) - 1;
-        component[v] = mesh.cell_component[c];
+      if (node_[v] < 0) {
+        node_[v] = static_cast<int>(of.size()) - 1;
+        component_[v] = mesh.cell_component[c];
         of.push_back(of.back() + static_cast<int>(stars[v].motions().cols()));
       }
-      cell_nodes[mesh.cell_component[c]].push_back(node[v]);
+      cell_nodes[mesh.cell_component[c]].push_back(node_[v]);
     }
     paths[mesh.cell_component[c]].push_back(all_paths[c]);
   }
-  std::vector<scene::Elasticity<dim>> material;
-  for (const auto& body : problem.bodies) material.push_back(tame<dim>(body.material));
+  for (const auto& body : problem.bodies) material_.push_back(tame<dim>(body.material));
 
-  std::vector<Eigen::SparseMatrix<double>> matrices;
   std::vector<contact::System> systems;
-  for (std::size_t b = 0; b < offsets.size(); ++b) {
-    contact::Assembly assembly(offsets[b], cell_nodes[b], dim + 1);
+  for (std::size_t b = 0; b < offsets_.size(); ++b) {
+    contact::Assembly assembly(offsets_[b], cell_nodes[b], dim + 1);
     for (int c = 0; c < n_cells; ++c) {
       if (mesh.cell_component[c] != static_cast<int>(b)) continue;
       const auto X = strains(problem, stars, c);
       Eigen::MatrixXd sum = X[0];
       for (int k = 1; k <= dim; ++k) sum += X[k];
-      const auto& C = material[mesh.cell_body[c]];
+      const auto& C = material_[mesh.cell_body[c]];
       Eigen::MatrixXd form = sum.transpose() * C * sum;
       for (const auto& of_vertex : X) form += of_vertex.transpose() * C * of_vertex;
       form *= scene::volume(mesh, c) / scene::Simplex<dim>::hat_masses_of;
-      std::vector<int> unknowns;
-      for (const int v : mesh.cells[c])
-        for (int i = offsets[b][node[v]]; i < offsets[b][node[v] + 1]; ++i) unknowns.push_back(i);
-      assembly.add(unknowns, form);
+      assembly.add(unknowns(mesh, c), form);
     }
     contact::System system;
     system.stiffness = assembly.take();
-    matrices.push_back(system.stiffness);
+    matrices_.push_back(system.stiffness);
     // Motions of all vertices alike do not strain, nor do rotations of each about itself: what the matrix lacks there
     // is of no account, for the right side is in balance. Refinement takes the shift out.
     constexpr double shift = 1e-9;
     for (int i = 0; i < system.stiffness.cols(); ++i) system.stiffness.coeffRef(i, i) *= 1 + shift;
-    system.nodes = offsets[b];
+    system.nodes = offsets_[b];
     system.sequence = contact::elimination(paths[b], cell_nodes[b], static_cast<int>(system.nodes.size()) - 1);
     system.rows.resize(0, system.stiffness.cols());
     system.rigid.resize(system.stiffness.cols(), 0);
     systems.push_back(std::move(system));
   }
-  const contact::Bodies bodies(std::move(systems));
-  const std::vector<Eigen::VectorXd> lacking = defects(problem, facets, stars, given, stress);
-  std::vector<Eigen::VectorXd> rights, amounts;
-  for (std::size_t b = 0; b < offsets.size(); ++b) {
-    Eigen::VectorXd& right = rights.emplace_back(offsets[b].back());
-    for (std::size_t v = 0; v < stars.size(); ++v)
-      if (node[v] >= 0 && component[v] == static_cast<int>(b))
-        right.segment(offsets[b][node[v]], lacking[v].size()) = lacking[v];
-  }
-  contact::Solution solution = bodies.solve(rights, Eigen::VectorXd());
-  if (solution.termination != contact::Termination::solved) return stress;  // not definite in floating point
-  for (std::size_t b = 0; b < offsets.size(); ++b) {
-    Eigen::VectorXd& x = amounts.emplace_back(std::move(solution.displacement[b]));
-    constexpr int refinements = 5;
-    const auto matrix = matrices[b].selfadjointView<Eigen::Lower>();
-    for (int step = 0; step < refinements && x.size() > 0; ++step)
-      x += bodies.respond(static_cast<int>(b), rights[b] - matrix * x);
-  }
-  scene::for_each_index(n_cells, [&](int c) {
-    const auto X = strains(problem, stars, c);
-    Eigen::VectorXd own(X[0].cols());
-    int at = 0;
-    for (const int v : mesh.cells[c])
-      for (int i = offsets[mesh.cell_component[c]][node[v]]; i < offsets[mesh.cell_component[c]][node[v] + 1]; ++i)
-        own[at++] = amounts[mesh.cell_component[c]][i];
-    for (int k = 0; k <= dim; ++k) stress[c][k] += material[mesh.cell_body[c]] * (X[k] * own);
-  });
-  return stress;
+  bodies_.emplace(std::move(systems));
 }
 
-#define INSTANTIATE(dim)                                                                                            \
-  template std::vector<LinearStress<dim>> target_stress(                                                            \
-      const Problem<dim>&, const Facets<dim>&, const std::vector<Star<dim>>&, const std::vector<FacetVector<dim>>&, \
-      const scene::Displacement<dim>&);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+/// Those of the cell's component, vertex by vertex.
+template <int dim> std::vector<int> Repair<dim>::unknowns(const scene::Mesh<dim>& mesh, int cell) const {
+  const std::vector<int>& offsets = offsets_[mesh.cell_component[cell]];
+  std::vector<int> result;
+  for (const int v : mesh.cells[cell])
+    for (int i = offsets[node_[v]]; i < offsets[node_[v] + 1]; ++i) result.push_back(i);
+  return result;
+}
+
+template <int dim>
+void Repair<dim>::put_in_balance(const Problem<dim>& problem, const Facets<dim>& facets,
+                                 const std::vector<Star<dim>>& stars, const std::vector<FacetVector<dim>>& given,
+                                 std::vector<LinearStress<dim>>& stress) const {
+  const auto& mesh = problem.mesh;
+  const std::vector<Eigen::VectorXd> lacking = defects(problem, facets, stars, given, stress);
+  std::vector<Eigen::VectorXd> rights, amounts;
+  for (const auto& offsets : offsets_) rights.emplace_back(offsets.back());
+  for (std::size_t v = 0; v < stars.size(); ++v)
+    if (node_[v] >= 0) rights[component_[v]].segment(offsets_[component_[v]][node_[v]], lacking[v].size()) = lacking[v];
+  contact::Solution solution = bodies_->solve(rights, Eigen::VectorXd());
+  if (solution.termination != contact::Termination::solved) return;
+  for (std::size_t b = 0; b < offsets_.size(); ++b) {
+    Eigen::VectorXd& x = amounts.emplace_back(std::move(solution.displacement[b]));
+    constexpr int most_refinements = 5;
+    const auto matrix = matrices_[b].template selfadjointView<Eigen::Lower>();
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < most_refinements && x.size() > 0; ++step) {
+      const Eigen::VectorXd rest = rights[b] - matrix * x;
+      if (!(rest.norm() < before / 2)) break;  // rounding
+      before = rest.norm();
+      x += bodies_->respond(static_cast<int>(b), rest);
+    }
+  }
+  scene::for_each_index(static_cast<int>(mesh.cells.size()), [&](int c) {
+    const auto X = strains(problem, stars, c);
+    const Eigen::VectorXd own = amounts[mesh.cell_component[c]](unknowns(mesh, c));
+    for (int k = 0; k <= dim; ++k) stress[c][k] += material_[mesh.cell_body[c]] * (X[k] * own);
+  });
+}
+
+template class Repair<2>;
+template class Repair<3>;
 
 }  // namespace bracket::dual

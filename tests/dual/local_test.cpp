@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "dual/dual.h"
 #include "dual/local/star_system.h"
 #include "tests/support/problems_in_space.h"
 #include "tests/support/scenes.h"
@@ -69,7 +70,16 @@ template <int dim> void expect_forms_of_cells() {
       const double expected = of(Eigen::Map<const scene::Voigt<dim>>(by_force[0][dim].data())) *
                               scene::volume(p.mesh, 1) * 2 / ((dim + 1) * (dim + 2));
       EXPECT_NEAR(of_force, expected, 1e-12 * twice) << poisson << " " << flat;
-      EXPECT_TRUE(((energy.loads * loads) - h * loads).isZero(1e-12 * (h * loads).norm()));
+      const CellVector<dim> slope = h * loads;
+      for (int corner = 0; corner <= dim; ++corner) {
+        EXPECT_TRUE(
+            (times<dim>(energy.loads, corner, loads) - on_spokes<dim>(corner, slope)).isZero(1e-12 * slope.norm()));
+        const SpokeVector<dim> own = on_spokes<dim>(corner, loads);
+        const CellVector<dim> by_own = h * on_cell<dim>(corner, own);
+        constexpr int one = n_facet_loads<dim>;
+        EXPECT_TRUE((opposite_times<dim>(energy.loads, corner, own) - by_own.template segment<one>(one * corner))
+                        .isZero(1e-12 * by_own.norm()));
+      }
       // k is its inverse on loads in balance, by as much as H can be told to be singular.
       const double rounding = 1e-14 * h.norm() * k.norm();
       EXPECT_LE((k * h * k - k).norm(), rounding * k.norm()) << poisson << " " << flat;
@@ -145,8 +155,7 @@ template <int dim> void expect_balance() {
         for (std::size_t c = 0; c < star.cells().size(); ++c) {
           const int corner = star.corner(c);
           const SpokeVector<dim> slope =
-              on_spokes<dim>(corner, energy[star.cells()[c]].loads * on_cell<dim>(corner, found.loads[c])) +
-              data.gradient[c];
+              times<dim>(energy[star.cells()[c]].loads, corner, found.loads[c]) + data.gradient[c];
           gain += slope.dot(other.loads[c]);
           size += data.gradient[c].norm() * (other.loads[c].norm() + 1e-16 * load);
         }
@@ -158,6 +167,60 @@ template <int dim> void expect_balance() {
 TEST(LocalStar, is_in_balance_to_rounding_however_stiff_or_flat_its_cells_are) {
   expect_balance<2>();
   expect_balance<3>();
+}
+
+/// A block against a wall, its data by one number.
+template <int dim> Problem<dim> pressed(double by);
+template <> Problem<2> pressed<2>(double by) {
+  scene::Scene<2> s;
+  s.blocks = {tests::block("b", 0, 1, 0, 1, 4, 4)};
+  s.bodies = {{"b", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
+  s.boundary = {{"b.left", tests::fixed(0.1 * by, 0)}, {"b.right", tests::sliding(-0.2 * by)}};
+  s.boundary["b.top"] = tests::pressure(0.3 + by);
+  s.contact = {{"b.bottom", "rigid", 0.01 * by, ""}};
+  return tests::problem(s);
+}
+template <> Problem<3> pressed<3>(double by) {
+  Problem<3> result = tests::problem_on(tests::mesh_of({tests::Box{"b", {{{0, 1}, {0, 1}, {0, 1}}}, {2, 2, 2}}}),
+                                        {{scene::isotropic<3>(2, 0.3, scene::Plane::strain)}});
+  tests::fix(result, "b.left", [=](const scene::Vector<3>&) { return scene::Vector<3>(0.1 * by, 0, 0); });
+  tests::slide(result, "b.right", tests::everywhere(-0.2 * by));
+  tests::load(result, "b.top", [=](const scene::Vector<3>& x) { return scene::Vector<3>(0, -0.3 - by * x[0], 0); });
+  tests::touch(result, "b.bottom", "", tests::everywhere(0.01 * by));
+  return result;
+}
+
+/// What is kept of one problem, which is gone, serves others as if it were made for them.
+template <int dim> void expect_the_same_with_what_is_kept() {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-0.1, 0.1);
+  const LocalSolver<dim> kept(Problem<dim>(pressed<dim>(0)), true);
+  for (const double by : {0.0, 1.0, -0.7}) {
+    const Problem<dim> problem = pressed<dim>(by);
+    scene::Displacement<dim> u{2, {}, {}, {}};
+    for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v)
+      u.vertex.push_back(number(random) * scene::Vector<dim>::Ones());
+    for (std::size_t e = 0; e < problem.mesh.edges.size(); ++e)
+      u.edge.push_back(number(random) * scene::Vector<dim>::Ones());
+    typename LocalSolver<dim>::Pressure pressure(problem.contact.size());
+    for (auto& facet : pressure)
+      for (double& p : facet) p = std::max(0.0, number(random));
+    const Result<dim> once = local(problem, pressure, u, 1), again = kept.solve(problem, pressure, u, 1);
+    ASSERT_EQ(once.reason + again.reason, "");
+    double most = 0, largest = 0;
+    for (std::size_t c = 0; c < once.stress.cell.size(); ++c)
+      for (std::size_t i = 0; i < once.stress.cell[c].size(); ++i) {
+        most = std::max(most, (once.stress.cell[c][i] - again.stress.cell[c][i]).cwiseAbs().maxCoeff());
+        largest = std::max(largest, once.stress.cell[c][i].cwiseAbs().maxCoeff());
+      }
+    EXPECT_GT(largest, 0) << dim << " " << by;
+    EXPECT_LE(most, 1e-12 * largest) << dim << " " << by;
+    EXPECT_EQ(once.statistics.unknowns, again.statistics.unknowns);
+  }
+}
+TEST(LocalSolver, solves_any_data_with_what_it_keeps) {
+  expect_the_same_with_what_is_kept<2>();
+  expect_the_same_with_what_is_kept<3>();
 }
 
 }  // namespace

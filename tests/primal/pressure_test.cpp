@@ -156,6 +156,27 @@ TEST(Pressure, is_the_same_whatever_is_expected_to_be_closed) {
   }
 }
 
+TEST(Pressure, is_that_of_the_problems_own_data_by_what_was_made_for_others) {
+  const auto made_for = wavy(1);
+  auto problem = made_for;
+  for (auto& data : problem.facets)
+    for (auto& traction : data.traction) traction *= -2.5;
+  for (auto& body : problem.bodies) body.force *= 3;
+  for (auto& pair : problem.contact)
+    for (double& gap : pair.upper) gap = .001 - 2 * gap;
+  const Solver<3> solver(made_for, 2);
+  const auto found = PressureSolver<3>(solver, made_for).solve(problem), own = solver.solve_with_pressure(problem);
+  ASSERT_EQ(found.reason + own.reason, "");
+  double most = 0;
+  for (std::size_t j = 0; j < problem.contact.size(); ++j)
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(found.pressure[j][i], own.pressure[j][i], 1e-12);
+      most = std::max(most, found.pressure[j][i]);
+    }
+  EXPECT_GT(most, 1e-3);
+  EXPECT_LE(misfit<3>(problem, 2, found), 1e-14);
+}
+
 TEST(Pressure, where_none_balances_the_loads_there_may_be_displacements) {
   // A block of one cell across on a wall that may turn: linear pressures on the two triangles have resultants in
   // (¼, ¾), those of the rows of quadratic displacements up to the rim.

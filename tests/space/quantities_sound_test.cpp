@@ -147,6 +147,7 @@ TEST(QuantitiesInSpace, perturb_problems_that_are_problems) {
   scene::Scene<3> s = everything(2);
   const auto problem = bounds::balanced(scene::fix_data(s, scene::build_mesh(s)), 2);
   const primal::Solver<3> displacements(problem, 2, true);
+  const bounds::LocalStresses<3> stresses(displacements, problem, 1, true);
   std::mt19937 generator(11);
   for (const auto& one : some_of_each(generator)) {
     SCOPED_TRACE(one.name);
@@ -154,7 +155,7 @@ TEST(QuantitiesInSpace, perturb_problems_that_are_problems) {
     for (const double loads : {0.0078125, -0.0078125}) {
       const auto perturbed = scene::perturbed(problem, by, loads, -loads);
       const auto u = displacements.solve(perturbed);
-      const auto lambda = bounds::local_stresses(displacements, perturbed, 1);
+      const auto lambda = stresses.solve(perturbed);
       ASSERT_EQ(u.reason + lambda.reason, "");
       const auto certificate = bounds::certify(perturbed, u.displacement, lambda.stress);
       ASSERT_TRUE(certificate.valid) << certificate.reason;
@@ -179,12 +180,14 @@ TEST(QuantitiesInSpace, have_local_terms_that_add_up_to_the_width) {
   for (const auto& problem : {first, scene::refine(first, marked).problem}) {
     const auto displacements = std::make_shared<const primal::Solver<3>>(problem, 2, true);
     const auto u = displacements->solve(problem);
-    const auto lambda = bounds::local_stresses(*displacements, problem, 1);
+    const auto stresses = std::make_shared<const bounds::LocalStresses<3>>(*displacements, problem, 1, true);
+    const auto lambda = stresses->solve(problem);
     const auto certificate = bounds::certify(problem, u.displacement, lambda.stress);
     ASSERT_TRUE(certificate.valid) << certificate.reason;
     const auto indicator = bounds::indicator(problem, u.displacement, lambda.stress);
-    const bounds::SolvedLevel<3> level{problem,           {displacements, nullptr}, {u.closed, lambda.closed},
-                                       certificate.lower, certificate.upper,        indicator};
+    const bounds::SolvedLevel<3> level{
+        problem,  {displacements, nullptr, stresses}, {u.closed, lambda.closed}, certificate.lower, certificate.upper,
+        indicator};
     for (const auto& one : asked) {
       SCOPED_TRACE(one.name);
       const auto found = bounds::evaluate(s, one, level, {}, {});

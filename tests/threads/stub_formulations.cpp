@@ -80,10 +80,19 @@ PressureResult<dim> Solver<dim>::solve_with_pressure(const scene::Problem<dim>&,
   refuse();
 }
 
+template <int dim> struct PressureSolver<dim>::Rows {};
+template <int dim> PressureSolver<dim>::PressureSolver(const Solver<dim>&, const scene::Problem<dim>&) {}
+template <int dim>
+PressureResult<dim> PressureSolver<dim>::solve(const scene::Problem<dim>&, const std::vector<char>&) const {
+  refuse();
+}
+
 template void check_prescribed(const scene::Problem<2>&, int);
 template void check_prescribed(const scene::Problem<3>&, int);
 template class Solver<2>;
 template class Solver<3>;
+template class PressureSolver<2>;
+template class PressureSolver<3>;
 
 }  // namespace primal
 
@@ -106,17 +115,17 @@ template <int dim>
 Result<dim> uzawa(const scene::Problem<dim>&, const scene::Stress<dim>&, const std::function<bool()>&) {
   refuse();
 }
+template <int dim> struct LocalSolver<dim>::Frame {};
+template <int dim> LocalSolver<dim>::LocalSolver(const scene::Problem<dim>&, bool) {}
 template <int dim>
-Result<dim> local(const scene::Problem<dim>&, const std::vector<std::array<double, std::size_t{dim}>>&,
-                  const scene::Displacement<dim>&, int) {
+Result<dim> LocalSolver<dim>::solve(const scene::Problem<dim>&, const Pressure&, const scene::Displacement<dim>&,
+                                    int) const {
   refuse();
 }
 
 template class Solver<2>;
-template Result<2> local(const scene::Problem<2>&, const std::vector<std::array<double, 2>>&,
-                         const scene::Displacement<2>&, int);
-template Result<3> local(const scene::Problem<3>&, const std::vector<std::array<double, 3>>&,
-                         const scene::Displacement<3>&, int);
+template class LocalSolver<2>;
+template class LocalSolver<3>;
 template Result<2> uzawa(const scene::Problem<2>&, const scene::Stress<2>&, const std::function<bool()>&);
 
 }  // namespace dual
