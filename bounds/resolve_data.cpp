@@ -58,5 +58,7 @@ std::optional<Meshed<dim>> with_data_resolved(const scene::Scene<dim>& scene, co
 
 template std::optional<Meshed<2>> with_data_resolved(const scene::Scene<2>&, const Meshed<2>&, const Examined<2>&,
                                                      const Clock&);
+template std::optional<Meshed<3>> with_data_resolved(const scene::Scene<3>&, const Meshed<3>&, const Examined<3>&,
+                                                     const Clock&);
 
 }  // namespace bracket::bounds

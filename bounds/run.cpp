@@ -168,14 +168,6 @@ template <int dim> int count_of_cells(const Meshed<dim>& meshed) {
   return static_cast<int>(meshed.problem.mesh.cells.size());
 }
 
-/// In the plane the first mesh is refined for data that it does not resolve.
-template <int dim>
-std::optional<Meshed<dim>> resolved(const scene::Scene<dim>& scene, const Meshed<dim>& meshed,
-                                    const Examined<dim>& examined, const Clock& run_clock) {
-  if constexpr (dim == 2) return with_data_resolved(scene, meshed, examined, run_clock);
-  return {};
-}
-
 /// A run, level by level: problem → {displacement | stress} → certificate, bracket, indicators → marks → problem → …
 /// Where the machine does not hold more it ends; the levels so far stand.
 /// \param first makes the problem on the first mesh
@@ -223,7 +215,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
     for (int meshes = 1;; ++meshes) {
       Examined<dim> examined = examined_on(meshed);
       while (outcome.levels.empty() && !observer.stop.stop_requested()) {
-        auto finer_first = resolved(scene, meshed, examined, clock);
+        auto finer_first = with_data_resolved(scene, meshed, examined, clock);
         if (!finer_first) break;
         meshed = std::move(*finer_first);
         examined = examined_on(meshed);

@@ -86,11 +86,12 @@ struct Bracket {
 /// \param strain_energy ½ A(u_h,u_h), or less   \param contact κ = ∫ p (g − r(u_h)), or more
 Bracket bracket(double lower, double upper, double strain_energy, double contact);
 
-/// An estimate of what fixing the data edgewise did to the energy, in absolute value: to first order
+/// An estimate of what fixing the data facet by facet did to the energy, in absolute value: to first order
 ///     ∫ |P − P_h| |u_h − I u_h| + ∫ |λ_h n·(u0 − u0_h)| + ∫ p_h |g − g_h|
 /// where I u_h has the degree of the stresses on each facet (degree 1: its mean), to which P − P_h is orthogonal, and,
-/// as data of which nothing is left have no first order, the energy with which a half-plane answers to what is left
-/// out. Differences are bounds, of functions that are but sampled their values at points; enclosed gaps have none.
+/// as data of which nothing is left have no first order, the energy with which a half-plane or half-space answers to
+/// what is left out. Differences are bounds, of functions that are but sampled their values at points; enclosed gaps
+/// have none.
 struct DataEffect {
   double energy = 0;          ///< infinite where data are unbounded, or jumps are prescribed as displacements
   std::vector<double> facet;  ///< the shares of Mesh::boundary
@@ -99,9 +100,6 @@ struct DataEffect {
 template <int dim>
 DataEffect data_effect(const scene::Scene<dim>& scene, const scene::Problem<dim>& problem,
                        const scene::Displacement<dim>& displacement, const scene::Stress<dim>& stress);
-template <>
-DataEffect data_effect(const scene::Scene<3>& scene, const scene::Problem<3>& problem,
-                       const scene::Displacement<3>& displacement, const scene::Stress<3>& stress);
 
 /// The pressure of λ_h on each contact facet, by Bernstein coefficients in the order of scene/on_facet.h on the first
 /// facet, which are ≥ 0 (degree 1: its values at the vertices); exactly 0 where one is not more than rounding of λ_h.

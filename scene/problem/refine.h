@@ -28,8 +28,11 @@ template <> Refined<3> refine(const Problem<3>& problem, const std::vector<char>
 
 template <int dim> struct Scene;
 
-/// The mesh that refine() makes, its new vertices on the arcs of the scene, for fix_data(): a problem of its own.
+/// The mesh that refine() makes, its new vertices on the arcs of the scene, for fix_data(): a problem of its own. In
+/// space marked cells are bisected three times, into eight, so that their facets are halved both ways, as edges are in
+/// the plane.
 template <int dim>
 Mesh<dim> finer_mesh(const Scene<dim>& scene, const Problem<dim>& problem, const std::vector<char>& marked);
+template <> Mesh<3> finer_mesh(const Scene<3>& scene, const Problem<3>& problem, const std::vector<char>& marked);
 
 }  // namespace bracket::scene

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/problem/space/face_difference.h"
 #include "scene/quadrature.h"
 #include "scene/range.h"
 #include "scene/text.h"
@@ -25,65 +26,19 @@ double finite_on_face(const Function<3>& given, const Vector<3>& x, const std::s
   return value;
 }
 
-OnFace middle(const OnFace& a, const OnFace& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}; }
-
-/// Four triangles of half the size.
-std::array<FacePart, 4> quarters(const FacePart& part) {
-  const auto& [a, b, c] = part;
-  const OnFace bc = middle(b, c), ca = middle(c, a), ab = middle(a, b);
-  return {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
-}
-
-/// Sixteen parts; where the function is not smooth they are quartered towards that.
-std::vector<FacePart> parts_of(const Function<3>& given, const Face& face) {
-  constexpr int quarterings = 32;
-  struct Rough {
-    FacePart part;
-    Real left;  ///< what quartering may gain; 0: the function is smooth there
-  };
-  std::vector<Rough> all;
-  const auto add = [&](const FacePart& part) {
-    Real left = 0;
-    if (given.is_enclosed()) {
-      const Jet jet = over_part(given, face, part, across_face[0]);
-      if (!jet.c[3].is_bounded()) left = (jet.c[0].upper - jet.c[0].lower) * share_of_face(part);
-    }
-    all.push_back({part, left});
-  };
-  for (const FacePart& quarter : quarters(whole_face))
-    for (const FacePart& part : quarters(quarter)) add(part);
-  for (int i = 0; i < quarterings; ++i) {
-    const auto most = std::ranges::max_element(all, {}, &Rough::left);
-    if (!(most->left > 0)) break;
-    const FacePart part = most->part;
-    all.erase(most);
-    for (const FacePart& quarter : quarters(part)) add(quarter);
-  }
-  std::vector<FacePart> parts;
-  for (const Rough& one : all) parts.push_back(one.part);
-  return parts;
-}
-
 struct FaceSample {
   OnFace at;
   double weight;  ///< all together 1
   double value;
 };
 
-/// At the points of a product of Gauss' rules on each part, its square folded to a triangle: all inside of the face.
 std::vector<FaceSample> sample(const Function<3>& given, const Face& face, const std::vector<FacePart>& parts,
                                const std::string& where) {
-  static const auto gauss = gauss_points<5>();
   std::vector<FaceSample> samples;
   for (const FacePart& part : parts)
-    for (const auto& [x, x_weight] : gauss)
-      for (const auto& [y, y_weight] : gauss) {
-        const double s = (1 + x) / 2, t = (1 - s) * (1 + y) / 2;
-        OnFace at;
-        for (int i = 0; i < 2; ++i) at[i] = part[0][i] + s * (part[1][i] - part[0][i]) + t * (part[2][i] - part[0][i]);
-        samples.push_back({at, share_of_face(part) * x_weight * y_weight * (1 - s) / 2,
-                           finite_on_face(given, place(face, at), where)});
-      }
+    for (const FacePoint& point : points_in(part))
+      samples.push_back(
+          {point.at, share_of_face(part) * point.weight, finite_on_face(given, place(face, point.at), where)});
   return samples;
 }
 
@@ -93,13 +48,9 @@ double largest_of(const std::vector<FaceSample>& samples) {
   return largest;
 }
 
-double value_of(const std::array<double, 3>& corners, const OnFace& at) {
-  return corners[0] + at[0] * (corners[1] - corners[0]) + at[1] * (corners[2] - corners[0]);
-}
-
 double distance(const std::vector<FaceSample>& samples, const std::array<double, 3>& corners) {
   double largest = 0;
-  for (const FaceSample& at : samples) largest = std::max(largest, std::abs(at.value - value_of(corners, at.at)));
+  for (const FaceSample& at : samples) largest = std::max(largest, std::abs(at.value - value_on_face(corners, at.at)));
   return largest;
 }
 
@@ -125,45 +76,14 @@ std::array<double, 3> inside_corners(const Function<3>& given, const Face& face)
   return corners;
 }
 
-/// Not less than the magnitude of f − linear on a part: by its value in the middle and its slopes over the part.
-double largest_difference(const Function<3>& given, const Face& face, const FacePart& part,
-                          const std::array<double, 3>& corners) {
-  const auto linear = [&](const OnFace& at) {
-    Interval x = corners[0];
-    for (int i = 0; i < 2; ++i)
-      if (at[i] != 0) x = x + Interval(at[i]) * (Interval(corners[i + 1]) - Interval(corners[0]));
-    return x;
-  };
-  const auto slope = [&](const OnFace& direction) { return linear(direction) - Interval(corners[0]); };
-  const Interval of_linear = hull(hull(linear(part[0]), linear(part[1])), linear(part[2]));
-  const std::array<Jet, 2> jets = {over_part(given, face, part, across_face[0]),
-                                   over_part(given, face, part, across_face[1])};
-  Interval left = jets[0].value() - of_linear;
-  const OnFace centre = middle(middle(part[0], part[1]), part[2]);  // any point of it
-  const Jet there = at_point(given, face, centre, across_face[0]);
-  if (!jets[0].partial && jets[0].c[1].is_bounded() && jets[1].c[1].is_bounded()) {
-    // f − linear at a point is its slopes somewhere times the way from the centre, a mean of the ways to the corners.
-    Interval change = Interval::none();
-    for (const OnFace& corner : part) {
-      const double s = corner[0] - centre[0], t = corner[1] - centre[1];
-      const std::array<Interval, 2> reach = {Interval(2 * s - t) / 3, Interval(2 * t - s) / 3};
-      Interval there_to = 0;
-      for (int i = 0; i < 2; ++i) there_to = there_to + reach[i] * (jets[i].c[1] - slope(across_face[i]));
-      change = hull(change, there_to);
-    }
-    const Interval by_slopes = there.value() - linear(centre) + change;
-    left = intersection(left, by_slopes);
-  }
-  return left.is_empty() ? 0 : upper(Interval(left.magnitude()));
-}
-
-/// The same on a face, whose parts are quartered until it is a twentieth above what is found at points.
+/// Not less than what the linear function misses on a face, whose parts are quartered until it is a twentieth above
+/// what is found at points.
 double largest_difference(const Function<3>& given, const Face& face, const std::vector<FacePart>& parts,
                           const std::array<double, 3>& corners, double found) {
   constexpr int quarterings = 64;
   std::vector<std::pair<double, FacePart>> all;  // a heap
   const auto add = [&](const FacePart& part) {
-    all.emplace_back(largest_difference(given, face, part, corners), part);
+    all.emplace_back(difference(given, face, part, corners).largest, part);
     std::ranges::push_heap(all, {}, &std::pair<double, FacePart>::first);
   };
   for (const FacePart& part : parts) add(part);

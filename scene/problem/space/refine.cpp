@@ -98,4 +98,17 @@ template <> Refined<3> refine(const Problem<3>& problem, const std::vector<char>
   return refined;
 }
 
+template <> Mesh<3> finer_mesh(const Scene<3>&, const Problem<3>& problem, const std::vector<char>& marked) {
+  std::vector<char> below = marked;
+  Problem<3> finer = problem;
+  for (int times = 0; times < 3; ++times) {
+    Refined<3> refined = refine(finer, below);
+    std::vector<char> children;
+    for (const int parent : refined.cell_parent) children.push_back(below[parent]);
+    below = std::move(children);
+    finer = std::move(refined.problem);
+  }
+  return std::move(finer.mesh);
+}
+
 }  // namespace bracket::scene

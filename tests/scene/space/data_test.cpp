@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "scene/problem/space/face_difference.h"
 #include "scene/problem/space/face_values.h"
 #include "scene/toml/expression.h"
 #include "tests/scene/space/boxes.h"
@@ -69,6 +70,50 @@ TEST(DataInSpace, OfOtherTractionsAreProjectedAndTheDifferenceIsBounded) {
   EXPECT_GE(linear.error, largest - 4 * eps);  // what is found at points is rounded
   EXPECT_LE(linear.error, 1.05 * largest);     // parts are quartered until it is
   EXPECT_GE(linear.largest, std::abs(f(face[2])));
+}
+
+// On each part not less than the difference and its gradient along the face, and not much more.
+TEST(DataInSpace, WhatIsLeftOutIsBoundedPartByPart) {
+  Random random(12);
+  const std::vector<Function<3>> all = {enclosed<3>([](const auto& at) {
+                                          using std::exp;
+                                          using std::sin;
+                                          return sin(at[0] * 5) + exp(at[1] * at[2]);
+                                        }),
+                                        parse_expression<3>("x < 0.6 ? y^2 : 1 + z", ""),
+                                        parse_expression<3>("1 + 2 * x - y", ""),
+                                        Function<3>([](const Vector<3>& at) { return at[0] * at[1]; })};
+  for (std::size_t f = 0; f < all.size(); ++f)
+    for (int i = 0; i < 5; ++i) {
+      Face face;
+      for (auto& x : face)
+        for (double& c : x) c = uniform(random, 0, 1);
+      std::array<double, 6> quadratic;
+      for (double& c : quadratic) c = uniform(random, -1, 1);
+      double area = 0, mean = 0, bound = 0;
+      for (const auto& [part, largest, slope, value] : difference(all[f], face, quadratic)) {
+        area += share_of_face(part);
+        double most = 0;
+        for (const auto& [at, weight] : points_in(part)) {
+          const auto left = [&](const OnFace& there) {
+            return all[f](place(face, there)) - on_part(quadratic, {there, there, there})[0];
+          };
+          most = std::max(most, std::abs(left(at)));
+          EXPECT_LE(std::abs(all[f](place(face, at))), value * (1 + 1e-12));
+          for (const OnFace& to : part) {  // a mean slope
+            const OnFace near = {at[0] + 0.01 * (to[0] - at[0]), at[1] + 0.01 * (to[1] - at[1])};
+            const double length = (place(face, near) - place(face, at)).norm();
+            if (all[f].is_enclosed())
+              EXPECT_LE(std::abs(left(near) - left(at)), slope * length * (1 + 1e-9) + 1e-14) << f;
+          }
+        }
+        EXPECT_LE(most, largest * (1 + 1e-12) + 1e-15) << f;
+        mean += share_of_face(part) * most;
+        bound += share_of_face(part) * largest;
+      }
+      EXPECT_EQ(area, 1);
+      EXPECT_LE(bound, 2 * mean + 1e-15) << f;
+    }
 }
 
 TEST(DataInSpace, JumpAtEdgesOfTheMeshWithoutAnError) {
