@@ -9,6 +9,7 @@
 
 #include "bounds/certificate/given_field.h"
 #include "bounds/coulomb.h"
+#include "bounds/level.h"
 #include "bounds/quantities/evaluate.h"
 #include "contact/clock.h"
 
@@ -42,43 +43,67 @@ ErrorInterval widened(double low, double high, double radius) {
   return result;
 }
 
+/// The least value of a quadratic on a segment.
+double least_of(double a, double b, double c) {
+  const double least = std::min(a, c), t = (a - b) / (a - 2 * b + c);
+  return t > 0 && t < 1 ? std::min(least, (1 - t) * ((1 - t) * a + 2 * t * b) + t * t * c) : least;
+}
+
 /// The largest −ψ of a quadratic with these Bernstein coefficients.
-double largest_below_zero(const std::array<double, 3>& psi) {
-  const auto& [a, b, c] = psi;
-  double least = std::min(a, c);
-  const double t = (a - b) / (a - 2 * b + c);
-  if (t > 0 && t < 1) least = std::min(least, (1 - t) * ((1 - t) * a + 2 * t * b) + t * t * c);
+double largest_below_zero(const std::array<double, 3>& psi) { return std::max(0.0, -least_of(psi[0], psi[1], psi[2])); }
+double largest_below_zero(const std::array<double, 6>& psi) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < 3; ++e) {
+    const auto& [i, k] = scene::Simplex<2>::edges[e];
+    least = std::min(least, least_of(psi[i], psi[3 + e], psi[k]));
+  }
+  // Inside, where the slopes from corner 0 along s = φ_1 and t = φ_2 vanish: ψ = ψ_0 + 2 b·(s, t) + (s, t)·A (s, t).
+  const auto& [p0, p1, p2, p12, p20, p01] = psi;
+  const double a = p1 - 2 * p01 + p0, b = p12 - p01 - p20 + p0, c = p2 - 2 * p20 + p0, x = p01 - p0, y = p20 - p0;
+  const double s = (b * y - c * x) / (a * c - b * b), t = (b * x - a * y) / (a * c - b * b);
+  if (s > 0 && t > 0 && s + t < 1) least = std::min(least, p0 + x * s + y * t);
   return std::max(0.0, -least);
 }
 
 /// What is carried from level to level.
-struct Judge {
-  const scene::Scene<2>& scene;
-  const scene::Displacement<2>& given;
-  GivenEnergy energy;
-  Functionals<2> contact_work;  ///< J = −∫ p ψ_x, ψ_x = g − r(u_x)
+template <int dim> struct Judge {
+  const scene::Scene<dim>& scene;
+  const scene::Displacement<dim>& given;
+  GivenEnergyOf<dim> energy;
+  Functionals<dim> contact_work;  ///< J = −∫ p ψ_x, ψ_x = g − r(u_x)
   Learned learned = {};
 };
 
+/// What solves perturbed problems on the mesh of an outcome.
+template <int dim> Solvers<dim> solvers_of(const scene::Scene<dim>& scene, const Outcome<dim>& outcome) {
+  auto displacements = std::make_shared<const primal::Solver<dim>>(outcome.problem, scene.solve.degree, true);
+  if constexpr (dim == 2)
+    return {std::move(displacements), std::make_shared<const dual::Solver<2>>(outcome.problem, outcome.stress.degree),
+            nullptr};
+  if constexpr (dim == 3) {
+    auto stresses = std::make_shared<const LocalStresses<3>>(*displacements, outcome.problem,
+                                                             sweeps_of(scene, outcome.problem.mesh), true);
+    return {std::move(displacements), nullptr, std::move(stresses)};
+  }
+}
+
 /// Bounds of J on a solved level.
-ErrorInterval contact_work(Judge& judge, const Outcome<2>& outcome) {
-  const auto is_zero = [](const auto& psi) { return psi == std::array<double, 3>{0, 0, 0}; };
+template <int dim> ErrorInterval contact_work(Judge<dim>& judge, const Outcome<dim>& outcome) {
+  const auto is_zero = [](const auto& psi) { return psi == scene::FacetQuadratic<dim>{}; };
   if (std::ranges::all_of(judge.energy.below, is_zero) && std::ranges::all_of(judge.energy.above, is_zero))
     return {0, 0};  // also without contact
-  const Solvers<2> solvers = {
-      std::make_shared<const primal::Solver<2>>(outcome.problem, judge.scene.solve.degree, true),
-      std::make_shared<const dual::Solver<2>>(outcome.problem, outcome.stress.degree), nullptr};
   const Certificate& sure = outcome.levels.back().certificate;
-  const SolvedLevel<2> level{outcome.problem, solvers, {}, sure.lower, sure.upper, outcome.indicator};
+  const SolvedLevel<dim> level{outcome.problem,  solvers_of(judge.scene, outcome), {}, sure.lower, sure.upper,
+                               outcome.indicator};
   auto found = evaluate(judge.contact_work, level, Undetermined{}, std::move(judge.learned));
   judge.learned = std::move(found.learned);
   ErrorInterval result{found.level.lower, found.level.upper};
-  const auto open = [](const auto& psi) { return psi[0] >= 0 && psi[1] >= 0 && psi[2] >= 0; };
+  const auto open = [](const auto& psi) { return std::ranges::all_of(psi, [](double c) { return c >= 0; }); };
   if (std::ranges::all_of(judge.energy.below, open)) result.upper = std::min(result.upper, 0.0);
   return result;
 }
 
-ErrorInterval by_energy(Judge& judge, const Outcome<2>& outcome) {
+template <int dim> ErrorInterval by_energy(Judge<dim>& judge, const Outcome<dim>& outcome) {
   const ErrorInterval work = contact_work(judge, outcome);
   if (!std::isfinite(work.lower) || !std::isfinite(work.upper)) return {};
   const Enclosure two(2), none(0), most(judge.energy.upper);
@@ -105,7 +130,7 @@ bool is_settled(const std::vector<AssessedLevel>& levels) {
   return std::min(levels[levels.size() - 2].stress_error, last.stress_error) >= before;
 }
 
-Assessment with_intervals(Assessment result) {
+template <int dim> AssessmentOf<dim> with_intervals(AssessmentOf<dim> result) {
   result.error = {};
   for (const AssessedLevel& level : result.levels)
     result.error = intersection(result.error, intersection(level.by_stress, level.by_energy));
@@ -119,8 +144,8 @@ Assessment with_intervals(Assessment result) {
 }
 
 /// What is known of u_x before anything is solved.
-Assessment begun(scene::FieldOnScene field, const GivenEnergy& energy) {
-  Assessment result;
+template <int dim> AssessmentOf<dim> begun(scene::FieldOnSceneOf<dim> field, const GivenEnergyOf<dim>& energy) {
+  AssessmentOf<dim> result;
   result.field = std::move(field);
   for (const auto& u : result.field.given.displacement.vertex) result.largest = std::max(result.largest, u.norm());
   for (const auto& u : result.field.given.displacement.edge) result.largest = std::max(result.largest, u.norm());
@@ -130,8 +155,9 @@ Assessment begun(scene::FieldOnScene field, const GivenEnergy& energy) {
 }
 
 /// How the run that u_x was judged by has ended. \param why, where that is not what the run says
-Assessment ended(Assessment result, const scene::Refine& refine, const Outcome<2>& outcome, bool settled,
-                 std::string why) {
+template <int dim>
+AssessmentOf<dim> ended(AssessmentOf<dim> result, const scene::Refine& refine, const Outcome<dim>& outcome,
+                        bool settled, std::string why) {
   result.guarantee = outcome.guarantee;
   if (result.error.lower > result.error.upper) {
     result.guarantee = "none";
@@ -160,7 +186,7 @@ Assessment ended(Assessment result, const scene::Refine& refine, const Outcome<2
   return result;
 }
 
-scene::Scene<2> with_settings(scene::Scene<2> scene) {
+template <int dim> scene::Scene<dim> with_settings(scene::Scene<dim> scene) {
   scene.quantities.clear();
   for (auto& pair : scene.contact) pair.zones = 0;
   scene.refine.target = 0;
@@ -171,32 +197,34 @@ scene::Scene<2> with_settings(scene::Scene<2> scene) {
 
 }  // namespace
 
-Assessment assess(const scene::Scene<2>& asked, scene::FieldOnScene field, const Observer<2>& observer) {
-  const contact::BlasThreads one_thread(1);  // each of the two formulations has a thread of its own
-  const scene::Scene<2> scene = with_settings(asked);
+template <int dim>
+AssessmentOf<dim> assess(const scene::Scene<dim>& asked, scene::FieldOnSceneOf<dim> field,
+                         const Observer<dim>& observer) {
+  const contact::BlasThreads threads(blas_threads<dim>());
+  const scene::Scene<dim> scene = with_settings(asked);
   if (has_coulomb(field.problem))
     throw scene::Error(
         scene::Status::input,
         "assess: Coulomb's friction is no minimum of an energy, and no distance to its solution is known; "
         "with a given bound of the shear it is: law = { tresca = g }");
   field.problem = balanced(std::move(field.problem), scene.solve.degree);
-  const GivenEnergy energy = certify_given(field.problem, field.given.displacement);
+  const GivenEnergyOf<dim> energy = certify_given(field.problem, field.given.displacement);
   if (!energy.valid) throw scene::Error(scene::Status::not_guaranteed, energy.reason);
-  Assessment result = begun(std::move(field), energy);
-  Judge judge{scene, result.field.given.displacement, energy,
-              contact_work_functionals(result.field.problem, energy.below, energy.above)};
+  AssessmentOf<dim> result = begun(std::move(field), energy);
+  Judge<dim> judge{scene, result.field.given.displacement, energy,
+                   contact_work_functionals(result.field.problem, energy.below, energy.above)};
 
   std::stop_source done;
   const std::stop_callback passed_on(observer.stop, [&] { done.request_stop(); });
   bool settled = false;
   std::string uncertain;
-  const auto with_energy = [&](const Outcome<2>& outcome) {
+  const auto with_energy = [&](const Outcome<dim>& outcome) {
     const Clock clock;
     if (observer.stage) observer.stage("the work of the contact");
     result.levels.back().by_energy = by_energy(judge, outcome);
     result.levels.back().seconds += clock.seconds();
   };
-  const auto level = [&](const Outcome<2>& outcome) {
+  const auto level = [&](const Outcome<dim>& outcome) {
     const Clock clock;
     if (observer.stage) observer.stage("the displacement's error");
     const GivenDistance distance = certify_distance(outcome.problem, outcome.displacement, outcome.stress, judge.given);
@@ -222,7 +250,7 @@ Assessment assess(const scene::Scene<2>& asked, scene::FieldOnScene field, const
     if (settled) done.request_stop();
     if (observer.level) observer.level(outcome);
   };
-  const Outcome<2> outcome = run(scene, result.field.problem, {observer.stage, level, done.get_token()});
+  const Outcome<dim> outcome = run(scene, result.field.problem, {observer.stage, level, done.get_token()});
   if (result.levels.empty())
     throw scene::Error(outcome.status == scene::Status::done ? scene::Status::not_guaranteed : outcome.status,
                        uncertain.empty() ? outcome.reason : uncertain);
@@ -234,5 +262,8 @@ Assessment assess(const scene::Scene<2>& asked, scene::FieldOnScene field, const
   return ended(with_intervals(std::move(result)), scene.refine, outcome, settled,
                observer.stop.stop_requested() ? "stopped on request" : uncertain);
 }
+
+template AssessmentOf<2> assess(const scene::Scene<2>&, scene::FieldOnSceneOf<2>, const Observer<2>&);
+template AssessmentOf<3> assess(const scene::Scene<3>&, scene::FieldOnSceneOf<3>, const Observer<3>&);
 
 }  // namespace bracket::bounds

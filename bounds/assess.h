@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: contact lines.
 #pragma once
 
 #include "bounds/bounds.h"
@@ -27,27 +26,30 @@ struct AssessedLevel {
   double seconds = 0;                     ///< that judging u_x took
 };
 
-struct Assessment {
+template <int dim> struct AssessmentOf {
   scene::Status status = scene::Status::done;
   std::string guarantee = "none";  ///< as Outcome::guarantee
   std::string reason;              ///< if there is no guarantee or the budget was spent: one line
   ErrorInterval error;             ///< in the energy norm: levels and both kinds intersected
   ErrorInterval relative;          ///< by ‖u_h‖_A; not numbers where that may be zero
 
-  scene::FieldOnScene field;  ///< u_x on the first mesh, its problem as it was solved
-  double largest = 0;         ///< the largest displacement of u_x at a node
-  double misfit = 0;          ///< the largest distance of u_x at a node from what supports prescribe
-  double penetration = 0;     ///< the largest r(u_s) − g, ≥ 0
-  double data_energy = 0;     ///< what fixing the data on the first mesh did to the energy: see data_effect()
-  std::vector<double> cell;   ///< ‖σ(u_x) − m‖² of the last level, on each cell of the first mesh
+  scene::FieldOnSceneOf<dim> field;  ///< u_x on the first mesh, its problem as it was solved
+  double largest = 0;                ///< the largest displacement of u_x at a node
+  double misfit = 0;                 ///< the largest distance of u_x at a node from what supports prescribe
+  double penetration = 0;            ///< the largest r(u_s) − g, ≥ 0
+  double data_energy = 0;            ///< what fixing the data on the first mesh did to the energy: see data_effect()
+  std::vector<double> cell;          ///< ‖σ(u_x) − m‖² of the last level, on each cell of the first mesh
   std::vector<AssessedLevel> levels;
 };
+using Assessment = AssessmentOf<2>;
 
 /// Solves the scene from the mesh of the displacement on, by quadratic displacements and by stresses, until the error
 /// of the mean stress is at most a twentieth of that of u_x, or the budget of scene.refine is spent; targets and
 /// quantities of the scene do not count. Where two finer meshes do not make the error of the mean stress smaller, as it
 /// is but rounding, the run is done, too.
 /// \throw scene::Error as run(); where nothing could be solved also with the status that the run ended with
-Assessment assess(const scene::Scene<2>& scene, scene::FieldOnScene field, const Observer<2>& observer = {});
+template <int dim>
+AssessmentOf<dim> assess(const scene::Scene<dim>& scene, scene::FieldOnSceneOf<dim> field,
+                         const Observer<dim>& observer = {});
 
 }  // namespace bracket::bounds

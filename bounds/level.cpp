@@ -44,9 +44,7 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
   solved.primal = solver->solve(problem, meshed.primal_closed);
   solved.level.seconds.primal = clock.lap();
   if (solved.unsolved = solved.primal.reason; !solved.unsolved.empty()) return solved;
-  const int sweeps = scene.solve.sweeps ? *scene.solve.sweeps
-                                        : scene::sweeps_for(scene::common_flatness(scene::flatness(problem.mesh)));
-  auto stresses = std::make_shared<const LocalStresses<dim>>(*solver, problem, sweeps, keep);
+  auto stresses = std::make_shared<const LocalStresses<dim>>(*solver, problem, sweeps_of(scene, problem.mesh), keep);
   solved.dual = stresses->solve(problem, solved.primal);
   solved.unsolved = solved.dual.reason;
   if (keep) solved.solvers = {std::move(solver), nullptr, std::move(stresses)};
@@ -178,6 +176,10 @@ std::string risen(const Outcome<dim>& earlier, const scene::Problem<dim>& proble
 
 }  // namespace
 
+template <int dim> int sweeps_of(const scene::Scene<dim>& scene, const scene::Mesh<dim>& mesh) {
+  return scene.solve.sweeps ? *scene.solve.sweeps : scene::sweeps_for(scene::common_flatness(scene::flatness(mesh)));
+}
+
 template <int dim>
 Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
                       const Clock& run_clock, const Observer<dim>& observer) {
@@ -247,6 +249,7 @@ Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& prob
 
 #define INSTANTIATE(dim)                                                                                  \
   template struct Examined<dim>;                                                                          \
+  template int sweeps_of(const scene::Scene<dim>&, const scene::Mesh<dim>&);                              \
   template Examined<dim> examine(const scene::Scene<dim>&, const Meshed<dim>&, const std::vector<Level>&, \
                                  const Clock&, const Observer<dim>&);                                     \
   template Objection objection(const Outcome<dim>&, const scene::Problem<dim>&, const Examined<dim>&, bool);

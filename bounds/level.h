@@ -1,8 +1,10 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <set>
+#include <thread>
 
 #include "bounds/bounds.h"
 #include "bounds/quantities/pair.h"
@@ -45,6 +47,14 @@ template <int dim> struct Examined {
   Indicator indicator;
   Solvers<dim> solvers;  ///< kept where quantities are asked for
 };
+
+/// Of BLAS: in the plane each of the two formulations has a thread of its own; in space they run in turn.
+template <int dim> int blas_threads() {
+  return dim == 2 ? 1 : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// How often local stresses are swept on a mesh.
+template <int dim> int sweeps_of(const scene::Scene<dim>& scene, const scene::Mesh<dim>& mesh);
 
 /// {displacement | stress} → certificate, bracket, indicators.
 /// \param earlier levels of the run

@@ -117,28 +117,41 @@ LargestDisplacement<dim> largest_displacement(const scene::Problem<dim>& problem
 namespace {
 
 /// Barycentric coordinates of x in a cell, if it holds x within the rounding of coordinates.
-std::optional<std::array<double, 3>> inside(const scene::Mesh<2>& mesh, int cell, const Vector<2>& x) {
-  std::array<double, 3> twice_area;
+template <int dim>
+std::optional<std::array<double, dim + 1>> inside(const scene::Mesh<dim>& mesh, int cell, const Vector<dim>& x) {
+  std::array<double, dim + 1> volume;  // of the simplex that x makes with each facet, all by the same factor
   double size = x.cwiseAbs().maxCoeff();
   for (const int v : mesh.cells[cell]) size = std::max(size, mesh.vertices[v].cwiseAbs().maxCoeff());
-  for (int k = 0; k < 3; ++k) {
-    const Vector<2>& a = mesh.vertices[mesh.cells[cell][(k + 1) % 3]];
-    const Vector<2> along = mesh.vertices[mesh.cells[cell][(k + 2) % 3]] - a;
-    twice_area[k] = cross(along, x - a);
-    // The distance from the edge, which moves by an ulp or two with x and the edge's ends.
-    if (!(twice_area[k] >= -8 * std::numeric_limits<double>::epsilon() * size * along.norm())) return {};
+  for (int k = 0; k <= dim; ++k) {
+    const auto corners = scene::positions(mesh, scene::facet_vertices(mesh, cell, k));
+    volume[k] = -scene::area_vector<dim>(corners).dot(x - corners[0]);
+    // The distance from the facet, which moves by an ulp or two with x and the facet's vertices.
+    double reach = dim == 2 ? 1 : 0.5;
+    for (int i = 1; i < dim; ++i) reach *= (corners[i] - corners[0]).norm();
+    if (!(volume[k] >= -8 * std::numeric_limits<double>::epsilon() * size * reach)) return {};
   }
-  const double sum = twice_area[0] + twice_area[1] + twice_area[2];
-  for (double& coordinate : twice_area) coordinate /= sum;
-  return twice_area;
+  double sum = 0;
+  for (const double part : volume) sum += part;
+  for (double& coordinate : volume) coordinate /= sum;
+  return volume;
 }
 
-/// Part k is where coordinate k is the least; there x = 3 l_k centroid + Σ (l_i − l_k) vertex i.
-Voigt<2> stress_at(const scene::Stress<2>& stress, int cell, const std::array<double, 3>& l) {
+template <int dim, class Values>
+auto value_at(const Values& coefficients, int degree, const std::array<double, std::size_t{dim} + 1>& l) {
+  if constexpr (dim == 2) return scene::value_on_triangle(coefficients, degree, l);
+  if constexpr (dim == 3)
+    return Voigt<3>(l[0] * coefficients[0] + l[1] * coefficients[1] + l[2] * coefficients[2] + l[3] * coefficients[3]);
+}
+
+/// Part k is where coordinate k is the least; there x = (dim + 1) l_k centroid + Σ (l_i − l_k) vertex i.
+template <int dim>
+Voigt<dim> stress_at(const scene::Stress<dim>& stress, int cell, const std::array<double, std::size_t{dim} + 1>& l) {
   const int k = static_cast<int>(std::min_element(l.begin(), l.end()) - l.begin());
+  std::array<double, dim + 1> in_part;
+  for (int i = 0; i < dim; ++i) in_part[i] = l[scene::Simplex<dim>::facets[k][i]] - l[k];
+  in_part[dim] = (dim + 1) * l[k];
   const auto part = scene::stress_of_part(stress, cell, k);
-  return scene::value_on_triangle(std::vector<Voigt<2>>(part.begin(), part.end()), stress.degree,
-                                  {l[(k + 1) % 3] - l[k], l[(k + 2) % 3] - l[k], 3 * l[k]});
+  return value_at<dim>(std::vector<Voigt<dim>>(part.begin(), part.end()), stress.degree, in_part);
 }
 
 }  // namespace
@@ -152,7 +165,7 @@ std::optional<PointValues<dim>> values_at(const scene::Problem<dim>& problem,
     if (!l) continue;
     const auto s = displacement_stress(problem, displacement, cell);
     return PointValues<dim>{cell, scene::displacement_at(problem.mesh, displacement, cell, *l),
-                            scene::value_on_triangle(s, scene::stress_degree(displacement.degree), *l),
+                            value_at<dim>(s, scene::stress_degree(displacement.degree), *l),
                             stress_at(stress, cell, *l)};
   }
   return {};
@@ -168,5 +181,7 @@ template LargestDisplacement<2> largest_displacement(const scene::Problem<2>&, c
 template LargestDisplacement<3> largest_displacement(const scene::Problem<3>&, const scene::Displacement<3>&);
 template std::optional<PointValues<2>> values_at(const scene::Problem<2>&, const scene::Displacement<2>&,
                                                  const scene::Stress<2>&, const Vector<2>&);
+template std::optional<PointValues<3>> values_at(const scene::Problem<3>&, const scene::Displacement<3>&,
+                                                 const scene::Stress<3>&, const Vector<3>&);
 
 }  // namespace bracket::bounds

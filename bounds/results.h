@@ -54,7 +54,7 @@ template <int dim>
 LargestDisplacement<dim> largest_displacement(const scene::Problem<dim>& problem,
                                               const scene::Displacement<dim>& displacement);
 
-/// The fields at a point of a cell. Stresses jump from cell to cell, λ_h also between the three parts of a cell.
+/// The fields at a point of a cell. Stresses jump from cell to cell, λ_h also between the parts of a cell.
 template <int dim> struct PointValues {
   int cell;
   scene::Vector<dim> displacement;

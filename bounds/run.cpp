@@ -174,9 +174,7 @@ template <int dim> int count_of_cells(const Meshed<dim>& meshed) {
 template <int dim, class First>
 Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const Observer<dim>& observer) {
   const Clock clock;
-  // In the plane each of the two formulations has a thread of its own; in space they run in turn.
-  const contact::BlasThreads threads(dim == 2 ? 1
-                                              : static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  const contact::BlasThreads threads(blas_threads<dim>());
   const scene::Refine& refine = scene.refine;
   Outcome<dim> outcome;
   std::vector<Asked<dim>> asked;

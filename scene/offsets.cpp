@@ -41,6 +41,17 @@ Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cel
   return value;
 }
 
+Vector<3> displacement_at(const Mesh<3>& mesh, const Displacement<3>& u, int cell, const std::array<double, 4>& point) {
+  Vector<3> value = Vector<3>::Zero();
+  for (int i = 0; i < 4; ++i)
+    value += (u.degree == 2 ? point[i] * (2 * point[i] - 1) : point[i]) * u.vertex[mesh.cells[cell][i]];
+  for (int e = 0; u.degree == 2 && e < 6; ++e) {
+    const auto& [a, b] = Simplex<3>::edges[e];
+    value += 4 * point[a] * point[b] * u.edge[mesh.cell_edges[cell][e]];
+  }
+  return value;
+}
+
 template <> std::vector<Vector<2>> offsets_on_facet(const Mesh<2>& mesh, const Displacement<2>& u, int facet) {
   const auto& at = mesh.boundary[facet];
   auto inside = inside_edge(mesh, u, at.edge, at.vertices[0]);

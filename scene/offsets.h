@@ -144,5 +144,6 @@ template <> std::vector<Vector<3>> offsets_on_facet(const Mesh<3>& mesh, const D
 
 /// u at a point of a cell, by its barycentric coordinates.
 Vector<2> displacement_at(const Mesh<2>& mesh, const Displacement<2>& u, int cell, const std::array<double, 3>& point);
+Vector<3> displacement_at(const Mesh<3>& mesh, const Displacement<3>& u, int cell, const std::array<double, 4>& point);
 
 }  // namespace bracket::scene

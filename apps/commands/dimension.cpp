@@ -13,7 +13,8 @@ void refuse_space(const std::filesystem::path& scene, const std::vector<std::str
   if (is_in_space(scene, overrides))
     throw scene::Error(
         scene::Status::input, scene.string(),
-        fmt::format("bracket {} knows plane scenes only; in space there are run, check, info and mesh", command));
+        fmt::format("bracket {} knows plane scenes only; in space there are run, check, info, mesh and assess",
+                    command));
 }
 
 }  // namespace bracket::apps

@@ -15,7 +15,6 @@
 #include "apps/commands/say.h"
 #include "apps/commands/watch.h"
 #include "apps/plots/pictures.h"
-#include "apps/plots/space/pictures.h"
 #include "apps/report/lines.h"
 #include "apps/report/sha256.h"
 #include "apps/report/sheet.h"
@@ -117,15 +116,6 @@ template <int dim> Given given(const RunOptions& options, const scene::Scene<dim
   return result;
 }
 
-Drawings drawn(const Report& report, bool png) { return draw(pictures(report), png); }
-Drawings drawn(const ReportOf<3>& report, bool png) {
-  Drawings drawings = draw(level_pictures(report), png);
-  const std::vector<Drawing> bodies = space_pictures(report);
-  drawings.drawn.insert(drawings.drawn.begin(), bodies.begin(), bodies.end());
-  if (png) drawings.missing.emplace_back("pictures of the bodies as PNG: in space they are SVG alone");
-  return drawings;
-}
-
 /// Draws the pictures and writes them, report.html and the sheet; tells the report what is missing.
 template <int dim> void write_pictures(Results<dim>& results, ReportOf<dim>& report, bool png) {
   const Clock clock;
@@ -138,11 +128,9 @@ template <int dim> void write_pictures(Results<dim>& results, ReportOf<dim>& rep
   report.missing.insert(report.missing.end(), drawings.missing.begin(), drawings.missing.end());
   report.pictures = clock.seconds();
   write_file(results.folder, "report.html", report_html(report, drawings.drawn));
-  if constexpr (dim == 2) {  // the sheet has no form in space yet
-    results.given.ended = now();
-    write_file(results.folder, "sheet.html", sheet_html(report, results.given));
-    write_file(results.folder, "sheet.json", sheet_json(report, results.given));
-  }
+  results.given.ended = now();
+  write_file(results.folder, "sheet.html", sheet_html(report, results.given));
+  write_file(results.folder, "sheet.json", sheet_json(report, results.given));
 }
 
 /// Writes what the run has found, over what says that it is going on.

@@ -14,7 +14,10 @@ namespace bracket::apps {
 /// mesh unless error_is_rounding().
 /// \pre a guarantee, the run has ended
 std::vector<Picture> pictures(const Report& report);
-/// Of them closing, those of quantities and error, which a run in space has too.
+/// They, drawn; in space those of levels after those of the bodies, which are SVG alone.
+Drawings drawn(const Report& report, bool png);
+Drawings drawn(const ReportOf<3>& report, bool png);
+/// Of pictures() closing, those of quantities and error, which a run in space has too.
 template <int dim> std::vector<Picture> level_pictures(const ReportOf<dim>& report);
 
 template <int dim>

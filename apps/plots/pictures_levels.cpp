@@ -211,6 +211,8 @@ std::vector<Picture> pictures(const Report& report) {
   return result;
 }
 
+Drawings drawn(const Report& report, bool png) { return draw(pictures(report), png); }
+
 template Picture closing_picture(const ReportOf<2>&);
 template Picture closing_picture(const ReportOf<3>&);
 template Picture error_picture(const ReportOf<2>&);

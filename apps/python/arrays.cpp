@@ -36,16 +36,19 @@ template <class Number> py::array_t<Number> copy_of(const Number* values, const 
 
 }  // namespace
 
-std::vector<scene::Vector<2>> points(const py::handle& object, const std::string& name) {
+template <int dim> std::vector<scene::Vector<dim>> points(const py::handle& object, const std::string& name) {
   const py::array array = as_array(object, name, "fiu", "real numbers");
-  if (array.ndim() != 2 || array.shape(1) != 2)
-    throw py::value_error(fmt::format("{} must have the shape (n, 2), has {}", name, shape_of(array)));
+  if (array.ndim() != 2 || array.shape(1) != dim)
+    throw py::value_error(fmt::format("{} must have the shape (n, {}), has {}", name, dim, shape_of(array)));
   const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>(array);
-  const auto entry = values.unchecked<2>();
-  std::vector<scene::Vector<2>> result;
-  for (py::ssize_t i = 0; i < entry.shape(0); ++i) result.emplace_back(entry(i, 0), entry(i, 1));
+  const auto entry = values.template unchecked<2>();
+  std::vector<scene::Vector<dim>> result(static_cast<std::size_t>(entry.shape(0)));
+  for (py::ssize_t i = 0; i < entry.shape(0); ++i)
+    for (int k = 0; k < dim; ++k) result[i][k] = entry(i, k);
   return result;
 }
+template std::vector<scene::Vector<2>> points<2>(const py::handle&, const std::string&);
+template std::vector<scene::Vector<3>> points<3>(const py::handle&, const std::string&);
 
 Integers integers(const py::handle& object, const std::string& name, const std::vector<std::size_t>& columns) {
   const py::array array = as_array(object, name, "iu", "integers");
@@ -69,10 +72,6 @@ Integers integers(const py::handle& object, const std::string& name, const std::
 
 py::array_t<double> array_of(const double* values, std::vector<py::ssize_t> shape) { return copy_of(values, shape); }
 py::array_t<int> array_of(const int* values, std::vector<py::ssize_t> shape) { return copy_of(values, shape); }
-
-py::array_t<double> array_of(const std::vector<scene::Vector<2>>& vectors) {
-  return array_of(vectors.empty() ? nullptr : vectors.front().data(), {static_cast<py::ssize_t>(vectors.size()), 2});
-}
 
 py::array_t<double> array_of(const std::vector<double>& values) {
   return array_of(values.data(), {static_cast<py::ssize_t>(values.size())});

@@ -16,8 +16,8 @@ namespace bracket::python {
 namespace py = pybind11;
 
 /// \param name of the argument, for messages
-/// \throw TypeError unless its entries are real numbers; ValueError unless its shape is (n, 2)
-std::vector<scene::Vector<2>> points(const py::handle& array, const std::string& name);
+/// \throw TypeError unless its entries are real numbers; ValueError unless its shape is (n, dim)
+template <int dim> std::vector<scene::Vector<dim>> points(const py::handle& array, const std::string& name);
 
 /// Whole numbers, row by row.
 struct Integers {
@@ -33,8 +33,10 @@ Integers integers(const py::handle& array, const std::string& name, const std::v
 py::array_t<double> array_of(const double* values, std::vector<py::ssize_t> shape);
 py::array_t<int> array_of(const int* values, std::vector<py::ssize_t> shape);
 
-/// Shape (n, 2).
-py::array_t<double> array_of(const std::vector<scene::Vector<2>>& vectors);
+/// Shape (n, dim).
+template <int dim> py::array_t<double> array_of_vectors(const std::vector<scene::Vector<dim>>& vectors) {
+  return array_of(vectors.empty() ? nullptr : vectors.front().data(), {static_cast<py::ssize_t>(vectors.size()), dim});
+}
 /// Shape (n, columns) or, without columns, (n).
 py::array_t<double> array_of(const std::vector<double>& values);
 template <class Row> py::array_t<int> array_of_rows(const std::vector<Row>& rows) {

@@ -16,19 +16,22 @@ void raise_signals() {
 
 }  // namespace
 
-bounds::Observer<2> Follower::observer() {
+template <int dim> bounds::Observer<dim> Follower<dim>::observer() {
   return {.stage = [](const std::string&) { raise_signals(); },
-          .level = [this](const bounds::Outcome<2>& so_far) { tell(so_far); },
+          .level = [this](const bounds::Outcome<dim>& so_far) { tell(so_far); },
           .stop = stop_.get_token()};
 }
 
-void Follower::tell(const bounds::Outcome<2>& so_far) {
+template <int dim> void Follower<dim>::tell(const bounds::Outcome<dim>& so_far) {
   raise_signals();
   const py::gil_scoped_acquire gil;
   if (progress_.is_none()) return;
-  const py::object answer = progress_(std::make_shared<Result>(Result{scene_, so_far}));
+  const py::object answer = progress_(std::make_shared<Result<dim>>(Result<dim>{scene_, so_far}));
   if (answer.is(py::bool_(false))) stop_.request_stop();
 }
+
+template class Follower<2>;
+template class Follower<3>;
 
 std::string notebook_html(const std::string& lines, const std::function<std::string()>& svg) {
   const auto escaped = py::module_::import("html").attr("escape");

@@ -19,27 +19,32 @@ double number(const py::handle& object) {
   return value;
 }
 
-scene::Function<2> sampled(const py::handle& callable) {
+template <int dim> scene::Function<dim> sampled(const py::handle& callable) {
   // Who drops the last copy of the function may not hold the GIL.
   const std::shared_ptr<const py::object> held(new py::object(py::reinterpret_borrow<py::object>(callable)),
                                                [](const py::object* object) {
                                                  const py::gil_scoped_acquire gil;
                                                  delete object;
                                                });
-  return [held](const scene::Vector<2>& x) {
+  return [held](const scene::Vector<dim>& x) {
     const py::gil_scoped_acquire gil;
-    return number((*held)(x[0], x[1]));
+    if constexpr (dim == 2) return number((*held)(x[0], x[1]));
+    if constexpr (dim == 3) return number((*held)(x[0], x[1], x[2]));
   };
 }
 
 }  // namespace
 
-scene::Function<2> function_of(const py::handle& given, const std::string& name) {
-  if (py::isinstance<py::str>(given)) return scene::parse_expression(given.cast<std::string>(), "");
-  if (PyCallable_Check(given.ptr()) != 0) return sampled(given);
+template <int dim> scene::Function<dim> function_of(const py::handle& given, const std::string& name) {
+  if (py::isinstance<py::str>(given)) return scene::parse_expression<dim>(given.cast<std::string>(), "");
+  if (PyCallable_Check(given.ptr()) != 0) return sampled<dim>(given);
   if (PyNumber_Check(given.ptr()) != 0 && !PyBool_Check(given.ptr())) return number(given);
-  throw py::type_error(fmt::format("{} must be a number, an expression in x and y, or a callable f(x, y), not {}", name,
+  throw py::type_error(fmt::format("{} must be a number, an expression in {}, or a callable f({}), not {}", name,
+                                   dim == 2 ? "x and y" : "x, y and z", dim == 2 ? "x, y" : "x, y, z",
                                    py::str(py::type::of(given).attr("__name__")).cast<std::string>()));
 }
+
+template scene::Function<2> function_of<2>(const py::handle&, const std::string&);
+template scene::Function<3> function_of<3>(const py::handle&, const std::string&);
 
 }  // namespace bracket::python

@@ -12,11 +12,11 @@
 #include "apps/report/numbers.h"
 #include "apps/report/quantities.h"
 #include "apps/report/units.h"
+#include "apps/report/words.h"
 
 namespace bracket::apps {
 namespace {
 
-using bounds::Assessment;
 using bounds::ErrorInterval;
 using Json = nlohmann::ordered_json;
 
@@ -34,19 +34,19 @@ std::string between(const ErrorInterval& interval, const std::string& unit) {
   return std::isfinite(lower) || std::isfinite(interval.upper) ? interval_text(lower, interval.upper, unit) : "unknown";
 }
 
-std::string triangles(const AssessmentReport& report) {
-  const scene::FieldOnScene& field = report.assessment.field;
+template <int dim> std::string cells_of(const AssessmentReportOf<dim>& report) {
+  const scene::FieldOnSceneOf<dim>& field = report.assessment.field;
   const std::string refined =
       field.refinements == 0 ? ""
                              : fmt::format(", refined {} time{}", field.refinements, field.refinements == 1 ? "" : "s");
-  return fmt::format("{} {} triangles of the scene's mesh{}", field.problem.mesh.cells.size(),
-                     field.given.displacement.degree == 2 ? "quadratic" : "linear", refined);
+  return fmt::format("{} {} {} of the scene's mesh{}", field.problem.mesh.cells.size(),
+                     field.given.displacement.degree == 2 ? "quadratic" : "linear", Words<dim>::cells, refined);
 }
 
 /// What is not admissible: all of it counts as error.
-std::string inadmissible(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
-  const std::string unit = units_of(report.scene.units).length;
+template <int dim> std::string inadmissible(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
+  const std::string unit = units_of(report.scene.units, dim).length;
   const double rounding = std::numeric_limits<double>::epsilon() * of.largest;
   const auto share = [&](double length, const char* whole) {
     return of.largest > 0 ? fmt::format("{} of {}", rounded_up_exponent(length / of.largest), whole)
@@ -62,22 +62,22 @@ std::string inadmissible(const AssessmentReport& report) {
 }
 
 /// Of the problem that the bounds hold for, where it is not quite the scene's, a line each.
-std::string what_else(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
+template <int dim> std::string what_else(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
   std::string text;
   if (of.guarantee == "discretisation") text += "! for data that were sampled\n";
   // An energy that differs by this much belongs to solutions that are √2 of it apart.
   if (std::sqrt(2 * of.data_energy) > of.error.upper - of.error.lower)
     text += fmt::format("! for the data as the displacement's mesh has them, which is {} off\n",
                         std::isfinite(of.data_energy) ? "an energy of about " + rounded_up_exponent(of.data_energy) +
-                                                            units_of(report.scene.units).energy
+                                                            units_of(report.scene.units, dim).energy
                                                       : "no bounded energy");
   return text;
 }
 
-std::string level_table(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
-  const std::string unit = units_of(report.scene.units).energy_norm;
+template <int dim> std::string level_table(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
+  const std::string unit = units_of(report.scene.units, dim).energy_norm;
   const auto& [norm_lower, norm_upper] = std::pair(of.levels.back().norm_lower, of.levels.back().norm_upper);
   const bool relative = norm_lower > 0;
   const auto told = [&](const ErrorInterval& interval) -> std::string {
@@ -106,45 +106,46 @@ Json interval_json(const ErrorInterval& interval) {
 
 }  // namespace
 
-std::string assessment_headline(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
+template <int dim> std::string assessment_headline(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
   if (of.guarantee == "none") return within_columns(fmt::format("no guaranteed bounds: {}\n", of.reason));
   const bool relative = std::isfinite(of.relative.lower);
   std::string text =
-      what_else(report) +
-      fmt::format(
-          "{} guaranteed error of the displacement  {}   (energy norm)\n", mark(Standing::guaranteed),
-          relative ? between(in_percent(of.relative), " %")
-                   : between(of.error, units_of(report.scene.units).energy_norm) + ", where nothing else is strained");
+      what_else(report) + fmt::format("{} guaranteed error of the displacement  {}   (energy norm)\n",
+                                      mark(Standing::guaranteed),
+                                      relative ? between(in_percent(of.relative), " %")
+                                               : between(of.error, units_of(report.scene.units, dim).energy_norm) +
+                                                     ", where nothing else is strained");
   if (of.field.given.interpolated)
     text += fmt::format("interpolated: {} is of another mesh; what is judged has its values at the nodes of {}\n",
-                        report.field, triangles(report));
+                        report.field, cells_of(report));
   text += inadmissible(report);
   if (of.relative.lower > 1)
-    text +=
-        "note: above 100 %, zero would be no worse: are signs, units and moduli, plane stress or strain, supports and "
-        "loads those of the scene?\n";
+    text += fmt::format(
+        "note: above 100 %, zero would be no worse: are signs, units and moduli{}, supports and "
+        "loads those of the scene?\n",
+        dim == 2 ? ", plane stress or strain" : "");
   return within_columns(text);
 }
 
-std::string assessment_text(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
+template <int dim> std::string assessment_text(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
   std::string text = report.scene.title.empty() ? "\n" : fmt::format("\n{}\n", report.scene.title);
   text +=
-      fmt::format("Scene: {}; plane {}{}\nDisplacement: {}, on {}\n", report.scene.file, name(report.scene.plane),
-                  report.scene.units.empty() ? "" : "; units " + report.scene.units, report.field, triangles(report));
+      fmt::format("Scene: {}; {}{}\nDisplacement: {}, on {}\n", report.scene.file, setting_of(report.scene),
+                  report.scene.units.empty() ? "" : "; units " + report.scene.units, report.field, cells_of(report));
   if (of.guarantee != "none")
     text += fmt::format(
         "The energy norm is the root of twice the strain energy; 100 % is that of\nBracket's own displacement. The "
         "error itself is {}. Guarantee: {}.\n\n{}",
-        between(of.error, units_of(report.scene.units).energy_norm), of.guarantee, level_table(report));
+        between(of.error, units_of(report.scene.units, dim).energy_norm), of.guarantee, level_table(report));
   if (of.status == scene::Status::budget) text += fmt::format("Budget: {}\n", of.reason);
   return within_columns(text);
 }
 
-std::string assessment_json(const AssessmentReport& report) {
-  const Assessment& of = report.assessment;
-  const scene::GivenDisplacement& given = of.field.given;
+template <int dim> std::string assessment_json(const AssessmentReportOf<dim>& report) {
+  const bounds::AssessmentOf<dim>& of = report.assessment;
+  const scene::GivenDisplacementOf<dim>& given = of.field.given;
   Json json = heading(report.scene);
   json["units"] = report.scene.units;
   json["displacement"] = {{"file", report.field},
@@ -173,5 +174,13 @@ std::string assessment_json(const AssessmentReport& report) {
                               {"seconds", level.seconds}});
   return dump(json);
 }
+
+#define INSTANTIATE(dim)                                                    \
+  template std::string assessment_headline(const AssessmentReportOf<dim>&); \
+  template std::string assessment_text(const AssessmentReportOf<dim>&);     \
+  template std::string assessment_json(const AssessmentReportOf<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::apps

@@ -83,17 +83,15 @@ template <int dim> std::vector<FindingOf<dim>> of_contact(const ReportOf<dim>& r
   gap.rounding = rounding_share *
                  bounds::largest_displacement(report.outcome.problem, report.outcome.displacement).displacement.norm();
   if (summary.largest_gap > gap.rounding) gap.at = summary.gap_at;
-  if constexpr (dim == 2)
-    if (is_guaranteed(report) && !report.running) {
-      const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
-                                             report.outcome.levels.back().certificate, pair);
-      if (open.length > 0 && open.force < summary.force) {  // more says nothing
-        FindingOf<dim>& force = add("force_of_the_open_part", nothing, units.force);
-        force.bounds = Between{0, open.force};
-        force.note =
-            fmt::format("on {:.4g}{}, open by {:.4g}{} or more", open.length, units.length, open.gap, units.length);
-      }
+  if (is_guaranteed(report) && !report.running) {
+    const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
+                                           report.outcome.levels.back().certificate, pair);
+    if (open.length > 0 && open.force < summary.force) {  // more says nothing
+      FindingOf<dim>& force = add("force_of_the_open_part", nothing, units.force);
+      force.bounds = Between{0, open.force};
+      force.note = fmt::format("on {:.4g}{}, open by {:.4g}{} or more", open.length, measure, open.gap, units.length);
     }
+  }
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
     const bounds::QuantityInterval& zone = report.outcome.quantities[i];
     if (zone.contact != pair || zone.zone < 0 || !is_guaranteed(report)) continue;

@@ -191,12 +191,11 @@ template <int dim> Json contact_json(const ReportOf<dim>& report, const std::vec
       if (row.contact == i) put(pair, row);
     pair["at"] = std::vector<double>(of.at.begin(), of.at.end());
     pair["grows"] = of.grows;
-    if constexpr (dim == 2)
-      if (report.outcome.guarantee != "none" && !report.running) {
-        const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
-                                               report.outcome.levels.back().certificate, i);
-        pair["open"] = {{"length", open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
-      }
+    if (report.outcome.guarantee != "none" && !report.running) {
+      const auto open = bounds::open_contact(report.outcome.problem, report.outcome.displacement,
+                                             report.outcome.levels.back().certificate, i);
+      pair["open"] = {{Words<dim>::measure, open.length}, {"gap", open.gap}, {"force_at_most", open.force}};
+    }
     if (report.scene.contact[i].zones > 0) pair["zones"] = zones_json(report, i);
   }
   return pairs;

@@ -25,9 +25,9 @@ struct Given {
 
 /// sheet.html: one page of A4 when it is printed, so that of long lists it has the first lines and says how many more
 /// there are.
-std::string sheet_html(const Report& report, const Given& given);
+template <int dim> std::string sheet_html(const ReportOf<dim>& report, const Given& given);
 
 /// sheet.json: the same with all of their lines, and numbers that read back to the same double; schema 1.
-std::string sheet_json(const Report& report, const Given& given);
+template <int dim> std::string sheet_json(const ReportOf<dim>& report, const Given& given);
 
 }  // namespace bracket::apps

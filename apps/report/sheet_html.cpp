@@ -54,7 +54,7 @@ std::string section(const char* title, const Rows& rows) {
   return html + "</dl>\n";
 }
 
-std::string problem(const Report& report, const Given& given) {
+template <int dim> std::string problem(const ReportOf<dim>& report, const Given& given) {
   Rows rows = {{"mathematical model", short_text(model(report))}};
   for (const FileRead& one : given.files)
     rows.push_back(
@@ -67,7 +67,7 @@ std::string problem(const Report& report, const Given& given) {
   return section("Problem", rows);
 }
 
-std::string order_text(const Report& report) {
+template <int dim> std::string order_text(const ReportOf<dim>& report) {
   if (const auto order = order_of(report))
     return fmt::format("{:.2f} by the mean size of a cell, over the last half of the meshes; formal: {}",
                        order->by_size, report.scene.solve.degree);
@@ -76,7 +76,7 @@ std::string order_text(const Report& report) {
 }
 
 /// The first mesh and the last ones.
-std::string meshes(const Report& report) {
+template <int dim> std::string meshes(const ReportOf<dim>& report) {
   const auto& levels = report.outcome.levels;
   Rows rows;
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -92,14 +92,14 @@ std::string meshes(const Report& report) {
                         : "The meshes");
 }
 
-std::string verification(const Report& report) {
+template <int dim> std::string verification(const ReportOf<dim>& report) {
   const auto& outcome = report.outcome;
   Rows rows = {{"method", escaped(method(report))}, {"observed order", order_text(report)}};
   rows.push_back({"guarantee", fmt::format("{}: {}", escaped(outcome.guarantee), escaped(certainty(report)))});
   return section("Verification of the calculation (ASME V&amp;V 10)", rows) + meshes(report);
 }
 
-std::string intervals(const Report& report) {
+template <int dim> std::string intervals(const ReportOf<dim>& report) {
   if (report.outcome.guarantee == "none") return "";
   Rows rows;
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i)
@@ -118,18 +118,18 @@ std::string intervals(const Report& report) {
                     "deviation. Where a standard uncertainty u<sub>num</sub> is asked for, it is at most that.");
 }
 
-bool is_told(const Finding& finding) {
+template <int dim> bool is_told(const FindingOf<dim>& finding) {
   return finding.subject != Subject::contact || finding.key == "force" || finding.key == "largest_pressure";
 }
 
 /// Of all bodies first, then contacts and supports.
-std::string found(const Report& report) {
-  std::vector<Finding> all = findings(report);
-  std::erase_if(all, [](const Finding& one) { return !is_told(one); });
-  std::ranges::stable_partition(all, [](const Finding& one) { return one.subject == Subject::bodies; });
-  const std::string length = units_of(report.scene.units).length;
+template <int dim> std::string found(const ReportOf<dim>& report) {
+  std::vector<FindingOf<dim>> all = findings(report);
+  std::erase_if(all, [](const FindingOf<dim>& one) { return !is_told(one); });
+  std::ranges::stable_partition(all, [](const FindingOf<dim>& one) { return one.subject == Subject::bodies; });
+  const std::string length = units_of(report.scene.units, dim).length;
   Rows rows;
-  for (const Finding& one : all)
+  for (const FindingOf<dim>& one : all)
     rows.push_back({fmt::format("{} {}", mark(one.standing()), what(one)), short_text(of_what(one), most_of_name),
                     short_text(value_with_place(one, length))});
   return "<h2>Contacts, supports, bodies</h2>\n" +
@@ -167,7 +167,7 @@ footer { margin-top: .8rem; font-size: .75rem; }
 
 }  // namespace
 
-std::string sheet_html(const Report& report, const Given& given) {
+template <int dim> std::string sheet_html(const ReportOf<dim>& report, const Given& given) {
   const std::string title =
       short_text(report.scene.title.empty() ? report.scene.file : report.scene.title, most_of_title);
   std::string html = fmt::format(
@@ -178,10 +178,13 @@ std::string sheet_html(const Report& report, const Given& given) {
       title, html_style, sheet_style, BRACKET_VERSION_STRING, given.ended.empty() ? "" : " · " + escaped(given.ended));
   html += problem(report, given) + verification(report) + intervals(report) + found(report);
   html += section("Cost of data and geometry", first_rows(rows_of(costs(report)), most_costs, "sheet.json"));
-  html += section("Outside of the model", rows_of(outside()));
+  html += section("Outside of the model", rows_of(outside<dim>()));
   return html +
          "<footer>All numbers with all their digits are in sheet.json, the fields in the folder of the run, what this "
          "version was verified by in its documentation (docs/verification.md).</footer>\n</main>\n</body>\n</html>\n";
 }
+
+template std::string sheet_html(const ReportOf<2>&, const Given&);
+template std::string sheet_html(const ReportOf<3>&, const Given&);
 
 }  // namespace bracket::apps

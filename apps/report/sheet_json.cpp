@@ -30,22 +30,21 @@ Json interval_record(double lower, double upper, const std::string& unit) {
           {"numerical_uncertainty", middle ? Json(middle->uncertainty) : Json()}};
 }
 
-Json problem_record(const Report& report, const Given& given) {
+template <int dim> Json problem_record(const ReportOf<dim>& report, const Given& given) {
   Json files = Json::array();
   for (const FileRead& one : given.files) files.push_back({{"file", one.file}, {"sha256", or_null(one.sha256)}});
   Json pairs = Json::array();
   for (const auto& pair : report.scene.contact) pairs.push_back(pair_name(pair));
-  return {{"files", files},
-          {"overrides", given.overrides},
-          {"mathematical_model", model(report)},
-          {"plane", name(report.scene.plane)},
-          {"units", report.scene.units},
-          {"bodies", report.outcome.problem.mesh.bodies},
-          {"contacts", pairs}};
+  Json json = {{"files", files}, {"overrides", given.overrides}, {"mathematical_model", model(report)}};
+  if (dim == 2) json["plane"] = name(report.scene.plane);
+  json["units"] = report.scene.units;
+  json["bodies"] = report.outcome.problem.mesh.bodies;
+  json["contacts"] = pairs;
+  return json;
 }
 
-Json verification_record(const Report& report) {
-  const bounds::Outcome<2>& outcome = report.outcome;
+template <int dim> Json verification_record(const ReportOf<dim>& report) {
+  const bounds::Outcome<dim>& outcome = report.outcome;
   Json levels = Json::array();
   for (const bounds::Level& level : outcome.levels)
     levels.push_back({{"cells", level.cells},
@@ -69,8 +68,8 @@ Json verification_record(const Report& report) {
           {"relative_error_bound", outcome.relative_error_bound}};
 }
 
-Json interval_records(const Report& report) {
-  const Units units = units_of(report.scene.units);
+template <int dim> Json interval_records(const ReportOf<dim>& report) {
+  const Units units = units_of(report.scene.units, dim);
   Json all = Json::array();
   for (std::size_t i = 0; i < report.outcome.quantities.size(); ++i) {
     const bounds::QuantityInterval& one = report.outcome.quantities[i];
@@ -83,15 +82,15 @@ Json interval_records(const Report& report) {
   return all;
 }
 
-Json all_findings(const Report& report) {
+template <int dim> Json all_findings(const ReportOf<dim>& report) {
   Json all = Json::array();
-  for (const Finding& one : findings(report)) {
+  for (const FindingOf<dim>& one : findings(report)) {
     Json& json = all.emplace_back(Json{{"of", one.of}, {"what", one.key}, {"standing", name(one.standing())}});
     json["computed"] = one.computed;
     json["lower"] = one.bounds ? Json(one.bounds->lower) : Json();
     json["upper"] = one.bounds ? Json(one.bounds->upper) : Json();
     json["unit"] = or_null(one.unit.empty() ? one.unit : one.unit.substr(1));
-    json["at"] = one.at ? Json{one.at->x(), one.at->y()} : Json();
+    json["at"] = one.at ? Json(std::vector<double>(one.at->begin(), one.at->end())) : Json();
     json["note"] = one.note;
   }
   return all;
@@ -99,7 +98,7 @@ Json all_findings(const Report& report) {
 
 }  // namespace
 
-std::string sheet_json(const Report& report, const Given& given) {
+template <int dim> std::string sheet_json(const ReportOf<dim>& report, const Given& given) {
   Json json = heading(report.scene);
   json["ended"] = or_null(given.ended);
   json["problem"] = problem_record(report, given);
@@ -111,8 +110,11 @@ std::string sheet_json(const Report& report, const Given& given) {
                                {"loads_changed", report.outcome.problem.imbalance},
                                {"moved", report.scene.curves.empty() ? Json() : Json(report.outcome.moved)},
                                {"said", lines_json(costs(report))}};
-  json["outside_of_the_model"] = lines_json(outside());
+  json["outside_of_the_model"] = lines_json(outside<dim>());
   return dump(json);
 }
+
+template std::string sheet_json(const ReportOf<2>&, const Given&);
+template std::string sheet_json(const ReportOf<3>&, const Given&);
 
 }  // namespace bracket::apps

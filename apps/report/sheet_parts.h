@@ -13,10 +13,10 @@ namespace bracket::apps {
 /// How the guaranteed relative error falls.
 struct Order {
   double by_cells;  ///< it goes like cells to this power
-  double by_size;   ///< and like h to this one, h = 1/√cells the mean size of a cell
+  double by_size;   ///< and like h to this one, h the mean size of a cell: h² or, in space, h³ = 1/cells
 };
 /// Nothing where three levels do not say, or the error is rounding.
-std::optional<Order> order_of(const Report& report);
+template <int dim> std::optional<Order> order_of(const ReportOf<dim>& report);
 
 /// The middle of an interval and how far the exact value can be from it, rounded up; nothing where an end is missing.
 struct Uncertain {
@@ -31,14 +31,14 @@ struct Line {
 };
 
 /// What is solved: the mathematical model.
-std::string model(const Report& report);
+template <int dim> std::string model(const ReportOf<dim>& report);
 /// How it is solved: degrees, meshes, when the run ends.
-std::string method(const Report& report);
+template <int dim> std::string method(const ReportOf<dim>& report);
 /// What is certain of the interval, in words.
-std::string certainty(const Report& report);
+template <int dim> std::string certainty(const ReportOf<dim>& report);
 /// What the data and the geometry of the meshes change.
-std::vector<Line> costs(const Report& report);
+template <int dim> std::vector<Line> costs(const ReportOf<dim>& report);
 /// What the calculation does not say.
-std::vector<Line> outside();
+template <int dim> std::vector<Line> outside();
 
 }  // namespace bracket::apps

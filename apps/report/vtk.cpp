@@ -9,7 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "apps/report/assessment.h"
 #include "apps/report/deformed.h"
 #include "apps/report/samples.h"
 #include "apps/report/stresses.h"
@@ -209,32 +208,6 @@ template <> std::string contact_vtu(const Report& report) {
                      vtk_array("pressure_displacement", "Float64", of_displacement), vtk_array("gap", "Float64", gap)};
   grid.cell_data = {vtk_array("pair", "Int32", pair), vtk_array("indicator", "Float64", share)};
   grid.field_data = about(report, shape.factor);
-  return vtu(std::move(grid));
-}
-
-std::string assessment_vtu(const bounds::Assessment& assessment) {
-  const scene::Mesh<2>& mesh = assessment.field.problem.mesh;
-  const scene::Displacement<2>& u = assessment.field.given.displacement;
-  const bool quadratic = u.degree == 2;
-  VtkGrid grid{.cell_type = quadratic ? 22 : 5, .points_per_cell = quadratic ? 6 : 3};
-  std::vector<double> displacements, share, density;
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    const auto& vertices = mesh.cells[cell];
-    for (const int vertex : vertices) {
-      append(grid.points, mesh.vertices[vertex]);
-      append(displacements, u.vertex[vertex]);
-    }
-    for (int k = 0; quadratic && k < 3; ++k) {
-      const int edge = mesh.cell_edges[cell][scene::Simplex<2>::edge_between(k, (k + 1) % 3)];
-      append(grid.points, (mesh.vertices[vertices[k]] + mesh.vertices[vertices[(k + 1) % 3]]) / 2);
-      append(displacements, u.edge[edge]);
-    }
-    share.push_back(assessment.cell[cell]);
-    density.push_back(assessment.cell[cell] / scene::volume(mesh, static_cast<int>(cell)));
-  }
-  grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"})};
-  grid.cell_data = {vtk_array("body", "Int32", std::vector<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
-                    vtk_array("error_squared", "Float64", share), vtk_array("error_density", "Float64", density)};
   return vtu(std::move(grid));
 }
 

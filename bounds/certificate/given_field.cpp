@@ -1,4 +1,5 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
+// Planar: contact lines.
 #include "bounds/certificate/given_field.h"
 
 #include <algorithm>
@@ -84,16 +85,6 @@ Enclosure squared_distance(const ElasticForm<Enclosure>& form, const Strains& st
   return Enclosure(2) * sum;
 }
 
-/// √x, also where x may be zero.
-double root_below(const Enclosure& x) {
-  const double least = lower(x);
-  return least > 0 ? lower(root(Enclosure(least))) : 0;
-}
-double root_above(const Enclosure& x) {
-  const double most = upper(x);
-  return most > 0 ? upper(root(Enclosure(most))) : most == 0 ? 0 : std::nan("");
-}
-
 /// ‖u_s − u_x‖²
 Enclosure squared_move(const scene::Problem<2>& first, const PlainField& field, const MovedField<Enclosure>& added,
                        const scene::Displacement<2>& given) {
@@ -136,7 +127,16 @@ std::string fault_of_given(const scene::Problem<2>& first, const scene::Displace
 
 }  // namespace
 
-GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) try {
+double root_below(const Enclosure& x) {
+  const double least = lower(x);
+  return least > 0 ? lower(root(Enclosure(least))) : 0;
+}
+double root_above(const Enclosure& x) {
+  const double most = upper(x);
+  return most > 0 ? upper(root(Enclosure(most))) : most == 0 ? 0 : std::nan("");
+}
+
+template <> GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacement<2>& given) try {
   if (std::string fault = fault_of_given(first, given); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
   if (!unbalanced.empty()) return {.reason = unbalanced};
@@ -172,6 +172,7 @@ GivenEnergy certify_given(const scene::Problem<2>& first, const scene::Displacem
   return {.reason = fault.what()};
 }
 
+template <>
 GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement,
                                const scene::Stress<2>& stress, const scene::Displacement<2>& given) {
   const scene::Problem<2>& first = scene::first_of(problem);

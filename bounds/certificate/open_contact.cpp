@@ -6,27 +6,44 @@
 #include <limits>
 
 #include "bounds/certificate/admissible_displacement.h"
+#include "bounds/certificate/space/admissible_displacement.h"
 
 namespace bracket::bounds {
 
 namespace {
 
-/// Of each contact facet: the gap that is left on all of it for sure; none where the displacements are not admissible,
-/// and where pressures can be tension, of which little need not be said.
-std::vector<double> least_gaps(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
-  const auto supports = supports_of(problem);
-  const auto [field, reason] = admissible_field(problem, displacement, supports);
+/// \param field admissible_field(), if it could be
+template <int dim, class Field, class Penetration>
+std::vector<double> least_gaps(const scene::Problem<dim>& problem, const Field& field, const Penetration& penetration) {
   std::vector<double> gaps;
   for (const auto& contact : problem.contact) {
     double least = std::numeric_limits<double>::infinity();
     if (!field || contact.law.two_sided)
       least = 0;
     else
-      for (const Enclosure& coefficient : penetration<Enclosure>(problem, supports, *field, contact))
-        least = std::min(least, lower(-coefficient));
+      for (const Enclosure& coefficient : penetration(contact)) least = std::min(least, lower(-coefficient));
     gaps.push_back(least);
   }
   return gaps;
+}
+
+/// Of each contact facet: the gap that is left on all of it for sure; none where the displacements are not admissible,
+/// and where pressures can be tension, of which little need not be said.
+std::vector<double> least_gaps(const scene::Problem<2>& problem, const scene::Displacement<2>& displacement) {
+  const auto supports = supports_of(problem);
+  const auto [field, reason] = admissible_field(problem, displacement, supports);
+  const auto into = [&, &field = field](const auto& contact) {
+    return penetration<Enclosure>(problem, supports, *field, contact);
+  };
+  return least_gaps(problem, field, into);
+}
+std::vector<double> least_gaps(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement) {
+  const auto supports = space::supports_of(problem, displacement.degree);
+  const auto [field, reason] = space::admissible_field(problem, displacement, supports);
+  const auto into = [&, &field = field](const auto& contact) {
+    return space::penetration<Enclosure>(problem, supports, *field, contact);
+  };
+  return least_gaps(problem, field, into);
 }
 
 /// T / δ
@@ -72,8 +89,13 @@ double force_at_most(const scene::Problem<dim>& problem, const scene::Displaceme
   return least > 0 ? at_most(certificate, least) : std::numeric_limits<double>::infinity();
 }
 
-template OpenContact open_contact(const scene::Problem<2>&, const scene::Displacement<2>&, const Certificate&, int);
-template double force_at_most(const scene::Problem<2>&, const scene::Displacement<2>&, const Certificate&,
-                              const std::vector<char>&);
+#define INSTANTIATE(dim)                                                                                             \
+  template OpenContact open_contact(const scene::Problem<dim>&, const scene::Displacement<dim>&, const Certificate&, \
+                                    int);                                                                            \
+  template double force_at_most(const scene::Problem<dim>&, const scene::Displacement<dim>&, const Certificate&,     \
+                                const std::vector<char>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::bounds

@@ -8,7 +8,7 @@ namespace bracket::bounds {
 /// A part of a contact that is open in the computed displacements, and what it can carry at most in the solution:
 /// guaranteed, without a further solve (docs/theory.md §10.5).
 struct OpenContact {
-  double length = 0;  ///< of its facets; 0: none is open for sure
+  double length = 0;  ///< of its facets, in space their area; 0: none is open for sure
   double gap = 0;     ///< that the displacements, as certify() moves them, leave on all of it at least
   double force = 0;   ///< ∫ p over it is no more
 };

@@ -4,7 +4,7 @@
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // which Boost itself includes
 #include <algorithm>
 #include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 #include <span>
@@ -14,15 +14,15 @@
 
 namespace bracket::scene {
 
-/// Things in the plane, by the boxes around them: finds those near a point, in logarithmic time.
-class Boxes {
+/// Things in the plane or in space, by the boxes around them: finds those near a point, in logarithmic time.
+template <int dim> class Boxes {
  public:
   /// \param all the points of each thing
-  explicit Boxes(const std::vector<std::vector<Vector<2>>>& all) : tree_(entries(all)) {}
+  explicit Boxes(const std::vector<std::vector<Vector<dim>>>& all) : tree_(entries(all)) {}
 
   /// The things whose boxes are at most `distance` away in each coordinate, in their order.
-  std::vector<int> near(const Vector<2>& x, double distance) const {
-    const Box around({x[0] - distance, x[1] - distance}, {x[0] + distance, x[1] + distance});
+  std::vector<int> near(const Vector<dim>& x, double distance) const {
+    const Box around(corner(x - Vector<dim>::Constant(distance)), corner(x + Vector<dim>::Constant(distance)));
     std::vector<Entry> found;
     tree_.query(boost::geometry::index::intersects(around), std::back_inserter(found));
     std::vector<int> things;
@@ -32,19 +32,23 @@ class Boxes {
   }
 
  private:
-  using Point = boost::geometry::model::d2::point_xy<double>;
+  using Point = boost::geometry::model::point<double, dim, boost::geometry::cs::cartesian>;
   using Box = boost::geometry::model::box<Point>;
   using Entry = std::pair<Box, int>;
 
-  static std::vector<Entry> entries(const std::vector<std::vector<Vector<2>>>& all) {
+  static Point corner(const Vector<dim>& x) {
+    if constexpr (dim == 2) return Point(x[0], x[1]);
+    if constexpr (dim == 3) return Point(x[0], x[1], x[2]);
+  }
+  static std::vector<Entry> entries(const std::vector<std::vector<Vector<dim>>>& all) {
     std::vector<Entry> result;
     for (const auto& points : all) {
-      Vector<2> low = points.front(), high = low;
-      for (const Vector<2>& x : points) {
+      Vector<dim> low = points.front(), high = low;
+      for (const Vector<dim>& x : points) {
         low = low.cwiseMin(x);
         high = high.cwiseMax(x);
       }
-      result.emplace_back(Box({low[0], low[1]}, {high[0], high[1]}), static_cast<int>(result.size()));
+      result.emplace_back(Box(corner(low), corner(high)), static_cast<int>(result.size()));
     }
     return result;
   }

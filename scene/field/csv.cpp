@@ -39,8 +39,9 @@ std::vector<Row> rows_of(std::string_view text) {
 }
 
 /// The place of each column by its name.
-std::map<std::string, std::size_t> columns_of(const std::string& file, const Row& header) {
-  constexpr const char* expected = "expected a first line with x, y, ux, uy and, if need be, z, uz, body";
+std::map<std::string, std::size_t> columns_of(const std::string& file, const Row& header, int dim) {
+  const char* expected = dim == 2 ? "expected a first line with x, y, ux, uy and, if need be, z, uz, body"
+                                  : "expected a first line with x, y, z, ux, uy, uz and, if need be, body";
   std::map<std::string, std::size_t> columns;
   for (std::size_t i = 0; i < header.values.size(); ++i) {
     std::string name = header.values[i];
@@ -51,7 +52,9 @@ std::map<std::string, std::size_t> columns_of(const std::string& file, const Row
     if (!columns.emplace(name, i).second)
       refuse(file, header, fmt::format("the column '{}' is there twice; {}", name, expected));
   }
-  for (const char* needed : {"x", "y", "ux", "uy"})
+  std::vector<const char*> all_needed = {"x", "y", "ux", "uy"};
+  if (dim == 3) all_needed.insert(all_needed.end(), {"z", "uz"});
+  for (const char* needed : all_needed)
     if (!columns.contains(needed)) refuse(file, header, fmt::format("there is no column '{}'; {}", needed, expected));
   return columns;
 }
@@ -64,11 +67,13 @@ double number(const std::string& file, const Row& row, std::size_t column) {
 
 }  // namespace
 
-RawField read_csv_field(const std::filesystem::path& path) {
-  RawField field{.file = path.string(), .word = "line"};
+template <int dim> RawField<dim> read_csv_field(const std::filesystem::path& path) {
+  RawField<dim> field{.file = path.string(), .word = "line"};
   const std::vector<Row> rows = rows_of(read_text(path));
-  if (rows.empty()) fail(Status::input, field.file, "is empty; expected a first line with x, y, ux, uy");
-  const auto columns = columns_of(field.file, rows[0]);
+  if (rows.empty())
+    fail(Status::input, field.file,
+         fmt::format("is empty; expected a first line with {}", dim == 2 ? "x, y, ux, uy" : "x, y, z, ux, uy, uz"));
+  const auto columns = columns_of(field.file, rows[0], dim);
   std::vector<double> out_of_plane;
   for (const Row& row : std::span(rows).subspan(1)) {
     if (row.values.size() != columns.size())
@@ -79,16 +84,20 @@ RawField read_csv_field(const std::filesystem::path& path) {
       return columns.contains(name) ? number(field.file, row, columns.at(name)) : 0;
     };
     field.nodes.push_back({row.line, {value("x"), value("y"), value("z")}});
-    field.values.emplace_back(value("ux"), value("uy"));
-    out_of_plane.push_back(value("uz"));
+    const std::array<double, 3> u = {value("ux"), value("uy"), value("uz")};
+    field.values.emplace_back(Eigen::Map<const Vector<dim>>(u.data()));
+    if (dim == 2) out_of_plane.push_back(u[2]);
     if (columns.contains("body")) field.bodies.push_back(row.values[columns.at("body")]);
   }
-  field.coordinate_rounding = rounding_of(field.nodes);
+  field.coordinate_rounding = rounding_of(field.nodes, dim);
   std::vector<RawMesh::Node> values;
-  for (const Vector<2>& u : field.values) values.push_back({0, {u[0], u[1], 0}});
-  field.value_rounding = rounding_of(values);
+  for (const Vector<dim>& u : field.values) values.push_back({0, {u[0], u[1], dim == 3 ? u[dim - 1] : 0}});
+  field.value_rounding = rounding_of(values, dim);
   check_values(field, out_of_plane);
   return field;
 }
+
+template RawField<2> read_csv_field(const std::filesystem::path&);
+template RawField<3> read_csv_field(const std::filesystem::path&);
 
 }  // namespace bracket::scene

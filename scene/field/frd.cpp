@@ -136,8 +136,8 @@ void read_results(Lines& in, std::vector<Step>& steps) {
 
 }  // namespace
 
-RawField read_frd_field(const std::filesystem::path& path) {
-  RawField field{.file = path.string(), .word = "node"};
+template <int dim> RawField<dim> read_frd_field(const std::filesystem::path& path) {
+  RawField<dim> field{.file = path.string(), .word = "node"};
   Lines in(read_text(path), field.file);
   std::vector<Element> elements;
   std::vector<Step> steps;
@@ -166,8 +166,8 @@ RawField read_frd_field(const std::filesystem::path& path) {
     if (found == steps.back().displacement.end())
       fail(Status::input, field.file, fmt::format("the node {} has no displacement", tag));
     place[tag] = static_cast<int>(i);
-    field.values.emplace_back(found->second[0], found->second[1]);
-    out_of_plane.push_back(found->second[2]);
+    field.values.emplace_back(Eigen::Map<const Vector<dim>>(found->second.data()));
+    if (dim == 2) out_of_plane.push_back(found->second[2]);
   }
   std::vector<FrdElement> placed;
   for (const Element& element : elements) {
@@ -179,7 +179,11 @@ RawField read_frd_field(const std::filesystem::path& path) {
     }
     placed.push_back(std::move(of));
   }
-  return plane_field(std::move(field), std::move(out_of_plane), placed);
+  if constexpr (dim == 2) return plane_field(std::move(field), std::move(out_of_plane), placed);
+  if constexpr (dim == 3) return field_of_tetrahedra(std::move(field), placed);
 }
+
+template RawField<2> read_frd_field(const std::filesystem::path&);
+template RawField<3> read_frd_field(const std::filesystem::path&);
 
 }  // namespace bracket::scene

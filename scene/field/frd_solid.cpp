@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: of a solid one face is taken.
 #include "scene/field/frd_solid.h"
 
 #include <fmt/format.h>
@@ -50,11 +49,11 @@ std::array<std::vector<int>, 2> faces(const FrdElement& element, const Type& typ
   return result;
 }
 
-Eigen::Vector3d place(const RawField& field, int node) { return Eigen::Vector3d(field.nodes[node].x.data()); }
+Eigen::Vector3d place(const RawField<2>& field, int node) { return Eigen::Vector3d(field.nodes[node].x.data()); }
 
 /// That a solid is a plane element made thick: each node lies on its partner and is moved as it is, or apart from it.
 /// \param size the largest coordinate   \param tolerance of values
-void check_pair(const RawField& field, const std::vector<double>& out_of_plane, int lower, int upper, double size,
+void check_pair(const RawField<2>& field, const std::vector<double>& out_of_plane, int lower, int upper, double size,
                 double tolerance) {
   const Eigen::Vector3d across = place(field, upper) - place(field, lower);
   if (across.head<2>().norm() > 3 * field.coordinate_rounding * size)
@@ -66,30 +65,30 @@ void check_pair(const RawField& field, const std::vector<double>& out_of_plane, 
                        field.nodes[upper].tag));
 }
 
-/// The nodes that cells have, alone.
-RawField without_others(RawField field, std::vector<double>& out_of_plane) {
+/// The nodes that cells have, alone. \param out_of_plane of each node; of space empty
+template <int dim> RawField<dim> without_others(RawField<dim> field, std::vector<double>& out_of_plane) {
   std::vector<int> number(field.nodes.size(), -1);
-  for (RawField::Cell& cell : field.cells)
+  for (const auto& cell : field.cells)
     for (const int node : cell.nodes) number[node] = 0;
   int count = 0;
   for (std::size_t node = 0; node < number.size(); ++node) {
     if (number[node] == -1) continue;
     field.nodes[count] = field.nodes[node];
     field.values[count] = field.values[node];
-    out_of_plane[count] = out_of_plane[node];
+    if (dim == 2) out_of_plane[count] = out_of_plane[node];
     number[node] = count++;
   }
   field.nodes.resize(count);
   field.values.resize(count);
-  out_of_plane.resize(count);
-  for (RawField::Cell& cell : field.cells)
+  if (dim == 2) out_of_plane.resize(count);
+  for (auto& cell : field.cells)
     for (int& node : cell.nodes) node = number[node];
   return field;
 }
 
 }  // namespace
 
-RawField plane_field(RawField field, std::vector<double> out_of_plane, const std::vector<FrdElement>& elements) {
+RawField<2> plane_field(RawField<2> field, std::vector<double> out_of_plane, const std::vector<FrdElement>& elements) {
   double size = 0;
   for (const RawMesh::Node& node : field.nodes)
     for (const double x : node.x) size = std::max(size, std::abs(x));
@@ -111,6 +110,18 @@ RawField plane_field(RawField field, std::vector<double> out_of_plane, const std
   for (const int node : of_solids) out_of_plane[node] = 0;
   if (!field.cells.empty()) field = without_others(std::move(field), out_of_plane);
   check_values(field, out_of_plane);
+  return field;
+}
+
+RawField<3> field_of_tetrahedra(RawField<3> field, const std::vector<FrdElement>& elements) {
+  for (const FrdElement& element : elements) {
+    if (element.type == 3 || element.type == 6) field.cells.push_back({4, element.nodes});
+    if (const auto type = type_of(element.type); type && type->solid)
+      fail(Status::input, field.file, "has hexahedra or wedges; expected tetrahedra (C3D4, C3D10)");
+  }
+  std::vector<double> none;
+  if (!field.cells.empty()) field = without_others(std::move(field), none);
+  check_values(field, {});
   return field;
 }
 

@@ -16,6 +16,10 @@ struct FrdElement {
 /// each way. Of such the lower face is taken. Nodes that no cell has are left out. \param out_of_plane the third
 /// displacement of each node \throw Error (input): solids whose faces do not lie on each other or are moved otherwise;
 /// as check_values()
-RawField plane_field(RawField field, std::vector<double> out_of_plane, const std::vector<FrdElement>& elements);
+RawField<2> plane_field(RawField<2> field, std::vector<double> out_of_plane, const std::vector<FrdElement>& elements);
+
+/// The field on tetrahedra; lines and plane elements beside them are left out, as are nodes that no cell has.
+/// \throw Error (input): other solids; as check_values()
+RawField<3> field_of_tetrahedra(RawField<3> field, const std::vector<FrdElement>& elements);
 
 }  // namespace bracket::scene

@@ -1,5 +1,4 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
-// Planar: edges are the sides of triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,14 +16,16 @@ namespace {
 
 constexpr const char* way_out = "'bracket mesh' writes the mesh for the other program";
 
-Vector<2> at(const RawField& field, int node) { return {field.nodes[node].x[0], field.nodes[node].x[1]}; }
+template <int dim> Vector<dim> at(const RawField<dim>& field, int node) {
+  return Eigen::Map<const Vector<dim>>(field.nodes[node].x.data());
+}
 
-Vector<2> midpoint(const Mesh<2>& mesh, int edge) {
+template <int dim> Vector<dim> midpoint(const Mesh<dim>& mesh, int edge) {
   return 0.5 * (mesh.vertices[mesh.edges[edge][0]] + mesh.vertices[mesh.edges[edge][1]]);
 }
 
 /// An edge whose nodes, which are half its length apart, the tolerance leaves indistinguishable; −1: there is none.
-int indistinct(const Mesh<2>& mesh, double tolerance) {
+template <int dim> int indistinct(const Mesh<dim>& mesh, double tolerance) {
   const auto edge = std::ranges::find_if(mesh.edges, [&](const std::array<int, 2>& ends) {
     return (mesh.vertices[ends[1]] - mesh.vertices[ends[0]]).norm() <= 4 * tolerance;
   });
@@ -32,22 +33,22 @@ int indistinct(const Mesh<2>& mesh, double tolerance) {
 }
 
 /// The points, each as a thing of its own.
-Boxes points(const std::vector<Vector<2>>& all) {
-  std::vector<std::vector<Vector<2>>> things;
-  for (const Vector<2>& x : all) things.push_back({x});
-  return Boxes(things);
+template <int dim> Boxes<dim> points(const std::vector<Vector<dim>>& all) {
+  std::vector<std::vector<Vector<dim>>> things;
+  for (const Vector<dim>& x : all) things.push_back({x});
+  return Boxes<dim>(things);
 }
 
 // ---- by place -------------------------------------------------------------------------------------------------------
 
 /// Vertices and, behind them, midpoints of edges.
-struct Nodes {
-  std::vector<Vector<2>> x;
+template <int dim> struct Nodes {
+  std::vector<Vector<dim>> x;
   std::vector<std::set<int>> bodies;
 };
 
-Nodes nodes_of(const Mesh<2>& mesh) {
-  Nodes nodes;
+template <int dim> Nodes<dim> nodes_of(const Mesh<dim>& mesh) {
+  Nodes<dim> nodes;
   nodes.x = mesh.vertices;
   for (int edge = 0; edge < static_cast<int>(mesh.edges.size()); ++edge) nodes.x.push_back(midpoint(mesh, edge));
   nodes.bodies.resize(nodes.x.size());
@@ -59,7 +60,7 @@ Nodes nodes_of(const Mesh<2>& mesh) {
 }
 
 /// The number of the body that a node of the file says that it belongs to; −1: it does not say.
-int body_of(const RawField& field, const Mesh<2>& mesh, int node) {
+template <int dim> int body_of(const RawField<dim>& field, const Mesh<dim>& mesh, int node) {
   if (field.bodies.empty()) return -1;
   const auto body = std::ranges::find(mesh.bodies, field.bodies[node]);
   if (body == mesh.bodies.end())
@@ -70,9 +71,11 @@ int body_of(const RawField& field, const Mesh<2>& mesh, int node) {
 }
 
 /// Of each node of the mesh the node of the file at its place, −1: there is none.
-std::vector<int> nodes_at(const RawField& field, const Mesh<2>& mesh, const Nodes& nodes, double tolerance) {
+template <int dim>
+std::vector<int> nodes_at(const RawField<dim>& field, const Mesh<dim>& mesh, const Nodes<dim>& nodes,
+                          double tolerance) {
   std::vector<int> given(nodes.x.size(), -1);
-  const Boxes places = points(nodes.x);
+  const Boxes<dim> places = points(nodes.x);
   for (int i = 0; i < static_cast<int>(field.nodes.size()); ++i) {
     const int body = body_of(field, mesh, i);
     bool somewhere = false, of_body = false;
@@ -98,7 +101,7 @@ std::vector<int> nodes_at(const RawField& field, const Mesh<2>& mesh, const Node
 
 }  // namespace
 
-GivenDisplacement matched_by_place(const RawField& field, const Mesh<2>& mesh) {
+template <int dim> GivenDisplacementOf<dim> matched_by_place(const RawField<dim>& field, const Mesh<dim>& mesh) {
   const double tolerance = place_tolerance(field, mesh);
   if (const int edge = indistinct(mesh, tolerance); edge != -1)
     fail(
@@ -106,7 +109,7 @@ GivenDisplacement matched_by_place(const RawField& field, const Mesh<2>& mesh) {
         fmt::format("has coordinates of too few digits to tell the nodes of the mesh apart near {}: they may be off by "
                     "{:.1e}",
                     point(midpoint(mesh, edge)), tolerance));
-  const Nodes nodes = nodes_of(mesh);
+  const Nodes<dim> nodes = nodes_of(mesh);
   const std::vector<int> given = nodes_at(field, mesh, nodes, tolerance);
   const auto middles = given.begin() + static_cast<std::ptrdiff_t>(mesh.vertices.size());
   const bool linear = std::all_of(middles, given.end(), [](int i) { return i == -1; });
@@ -119,7 +122,7 @@ GivenDisplacement matched_by_place(const RawField& field, const Mesh<2>& mesh) {
                      linear ? "vertices of the mesh" : "vertices and midpoints of edges of the mesh",
                      point(nodes.x[first]), way_out));
   }
-  GivenDisplacement result;
+  GivenDisplacementOf<dim> result;
   result.displacement.degree = linear ? 1 : 2;
   for (std::size_t node = 0; node < count; ++node) {
     auto& values = node < mesh.vertices.size() ? result.displacement.vertex : result.displacement.edge;
@@ -139,9 +142,9 @@ struct Places {
   std::vector<int> of_node;    ///< likewise of the nodes of the file; −1: no vertex is there
 };
 
-Places places_of(const RawField& field, const Mesh<2>& mesh, double tolerance) {
+template <int dim> Places places_of(const RawField<dim>& field, const Mesh<dim>& mesh, double tolerance) {
   Places places{merged(mesh.vertices, tolerance), {}};
-  const Boxes vertices = points(mesh.vertices);
+  const Boxes<dim> vertices = points(mesh.vertices);
   for (int node = 0; node < static_cast<int>(field.nodes.size()); ++node) {
     const std::vector<int> near = vertices.near(at(field, node), tolerance);
     places.of_node.push_back(near.empty() ? -1 : places.of_vertex[near.front()]);
@@ -149,26 +152,24 @@ Places places_of(const RawField& field, const Mesh<2>& mesh, double tolerance) {
   return places;
 }
 
-using Triple = std::array<int, 3>;
-
-Triple sorted(Triple triple) {
-  std::ranges::sort(triple);
-  return triple;
-}
+template <int dim> using Corners = std::array<int, std::size_t{dim} + 1>;
 
 /// Of each cell of the file the cell of the mesh that it is; nothing: one of them is none.
-std::optional<std::vector<int>> cells_of(const RawField& field, const Mesh<2>& mesh, const Places& places) {
-  std::map<Triple, int> by_places;
-  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
-    Triple triple = mesh.cells[cell];
-    for (int& vertex : triple) vertex = places.of_vertex[vertex];
-    by_places[sorted(triple)] = cell;
-  }
+template <int dim>
+std::optional<std::vector<int>> cells_of(const RawField<dim>& field, const Mesh<dim>& mesh, const Places& places) {
+  const auto places_at = [](const auto& nodes, const std::vector<int>& places) {
+    Corners<dim> result;
+    for (int k = 0; k <= dim; ++k) result[k] = places[nodes[k]];
+    std::ranges::sort(result);
+    return result;
+  };
+  std::map<Corners<dim>, int> by_places;
+  for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell)
+    by_places[places_at(mesh.cells[cell], places.of_vertex)] = cell;
   std::vector<int> result;
-  for (const RawField::Cell& cell : field.cells) {
-    if (cell.corners != 3 || cell.nodes.size() != field.cells[0].nodes.size()) return {};
-    const auto found = by_places.find(
-        sorted({places.of_node[cell.nodes[0]], places.of_node[cell.nodes[1]], places.of_node[cell.nodes[2]]}));
+  for (const auto& cell : field.cells) {
+    if (cell.corners != dim + 1 || cell.nodes.size() != field.cells[0].nodes.size()) return {};
+    const auto found = by_places.find(places_at(cell.nodes, places.of_node));
     if (found == by_places.end()) return {};
     result.push_back(found->second);
   }
@@ -182,7 +183,8 @@ struct Assigned {
 };
 
 /// \param to where the node is put; it may be there already, or another with the same displacement
-void assign(const RawField& field, const std::string& body, int node, double tolerance, int& to) {
+template <int dim>
+void assign(const RawField<dim>& field, const std::string& body, int node, double tolerance, int& to) {
   if (to == -1) to = node;
   if ((field.values[to] - field.values[node]).cwiseAbs().maxCoeff() <= tolerance) return;
   refuse(field, node,
@@ -192,17 +194,19 @@ void assign(const RawField& field, const std::string& body, int node, double tol
 }
 
 /// \return false: a node in the middle of a side is not at the midpoint
-bool assign(const RawField& field, const Mesh<2>& mesh, const Places& places, const RawField::Cell& from, int cell,
-            Assigned& assigned) {
+template <int dim>
+bool assign(const RawField<dim>& field, const Mesh<dim>& mesh, const Places& places,
+            const typename RawField<dim>::Cell& from, int cell, Assigned& assigned) {
   const std::string& body = mesh.bodies[mesh.cell_body[cell]];
-  std::array<int, 3> local{};  // of each corner in the mesh's cell
-  for (int k = 0; k < 3; ++k) {
+  Corners<dim> local{};  // of each corner in the mesh's cell
+  for (int k = 0; k <= dim; ++k) {
     while (places.of_vertex[mesh.cells[cell][local[k]]] != places.of_node[from.nodes[k]]) ++local[k];
     assign(field, body, from.nodes[k], assigned.value_tolerance, assigned.vertex[mesh.cells[cell][local[k]]]);
   }
-  for (std::size_t k = 0; k + 3 < from.nodes.size(); ++k) {
-    const int edge = mesh.cell_edges[cell][Simplex<2>::edge_between(local[k], local[(k + 1) % 3])];
-    const int node = from.nodes[3 + k];
+  for (std::size_t k = 0; k + dim + 1 < from.nodes.size(); ++k) {
+    const auto [a, b] = edges_in_files<dim>()[k];
+    const int edge = mesh.cell_edges[cell][Simplex<dim>::edge_between(local[a], local[b])];
+    const int node = from.nodes[dim + 1 + k];
     if ((at(field, node) - midpoint(mesh, edge)).norm() > assigned.place_tolerance) return false;
     assign(field, body, node, assigned.value_tolerance, assigned.edge[edge]);
   }
@@ -211,7 +215,8 @@ bool assign(const RawField& field, const Mesh<2>& mesh, const Places& places, co
 
 }  // namespace
 
-std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const Mesh<2>& mesh) {
+template <int dim>
+std::optional<GivenDisplacementOf<dim>> matched_by_cells(const RawField<dim>& field, const Mesh<dim>& mesh) {
   const double tolerance = place_tolerance(field, mesh);
   if (indistinct(mesh, tolerance) != -1) return {};
   const Places places = places_of(field, mesh, tolerance);
@@ -225,8 +230,8 @@ std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const M
                     value_tolerance(field)};
   for (std::size_t i = 0; i < cells->size(); ++i)
     if (!assign(field, mesh, places, field.cells[i], (*cells)[i], assigned)) return {};
-  GivenDisplacement result;
-  result.displacement.degree = field.cells[0].nodes.size() == 3 ? 1 : 2;
+  GivenDisplacementOf<dim> result;
+  result.displacement.degree = field.cells[0].nodes.size() == dim + 1 ? 1 : 2;
   for (std::size_t vertex = 0; vertex < assigned.vertex.size(); ++vertex) {
     result.displacement.vertex.push_back(field.values[assigned.vertex[vertex]]);
     result.off = std::max(result.off, (mesh.vertices[vertex] - at(field, assigned.vertex[vertex])).norm());
@@ -238,5 +243,10 @@ std::optional<GivenDisplacement> matched_by_cells(const RawField& field, const M
   }
   return result;
 }
+
+template GivenDisplacementOf<2> matched_by_place(const RawField<2>&, const Mesh<2>&);
+template GivenDisplacementOf<3> matched_by_place(const RawField<3>&, const Mesh<3>&);
+template std::optional<GivenDisplacementOf<2>> matched_by_cells(const RawField<2>&, const Mesh<2>&);
+template std::optional<GivenDisplacementOf<3>> matched_by_cells(const RawField<3>&, const Mesh<3>&);
 
 }  // namespace bracket::scene

@@ -13,25 +13,26 @@ namespace bracket::scene {
 
 namespace {
 
-double largest(const std::vector<Vector<2>>& vectors) {
+template <int dim> double largest(const std::vector<Vector<dim>>& vectors) {
   double result = 0;
-  for (const Vector<2>& v : vectors) result = std::max(result, v.cwiseAbs().maxCoeff());
+  for (const Vector<dim>& v : vectors) result = std::max(result, v.cwiseAbs().maxCoeff());
   return result;
 }
 
 }  // namespace
 
-RawField read_raw_field(const std::filesystem::path& file) {
+template <int dim> RawField<dim> read_raw_field(const std::filesystem::path& file) {
   const std::string ending = capitals(file.extension().string());
-  if (ending == ".CSV") return read_csv_field(file);
-  if (ending == ".VTU") return read_vtu_field(file);
-  if (ending == ".FRD") return read_frd_field(file);
+  if (ending == ".CSV") return read_csv_field<dim>(file);
+  if (ending == ".VTU") return read_vtu_field<dim>(file);
+  if (ending == ".FRD") return read_frd_field<dim>(file);
   read_text(file);  // says what is wrong where it cannot be read
   fail(Status::input, file.string(),
-       "is of no kind that is read; expected displacements as .csv (x, y, ux, uy), .vtu (VTK) or .frd (CalculiX)");
+       fmt::format("is of no kind that is read; expected displacements as .csv ({}), .vtu (VTK) or .frd (CalculiX)",
+                   dim == 2 ? "x, y, ux, uy" : "x, y, z, ux, uy, uz"));
 }
 
-RawField raw_field_of(const NodalDisplacement& given, const std::string& name) {
+template <int dim> RawField<dim> raw_field_of(const NodalDisplacementOf<dim>& given, const std::string& name) {
   const int count = static_cast<int>(given.nodes.size());
   const auto refuse_size = [&](const char* what, std::size_t size) {
     fail(Status::input, name, fmt::format("has {} {} for {} nodes", size, what, count));
@@ -39,41 +40,48 @@ RawField raw_field_of(const NodalDisplacement& given, const std::string& name) {
   if (given.values.size() != given.nodes.size()) refuse_size("values", given.values.size());
   if (!given.bodies.empty() && given.bodies.size() != given.nodes.size())
     refuse_size("names of bodies", given.bodies.size());
-  RawField field{.file = name, .word = "node", .values = given.values, .bodies = given.bodies};
-  for (int i = 0; i < count; ++i) field.nodes.push_back({i, {given.nodes[i][0], given.nodes[i][1], 0}});
+  RawField<dim> field{.file = name, .word = "node", .values = given.values, .bodies = given.bodies};
+  for (int i = 0; i < count; ++i)
+    field.nodes.push_back({i, {given.nodes[i][0], given.nodes[i][1], dim == 3 ? given.nodes[i][dim - 1] : 0}});
   for (const std::vector<int>& nodes : given.cells) {
-    constexpr std::array<std::size_t, 5> known = {3, 4, 6, 8, 9};
+    const std::vector<std::size_t> known =
+        dim == 2 ? std::vector<std::size_t>{3, 4, 6, 8, 9} : std::vector<std::size_t>{4, 10};
     if (std::ranges::find(known, nodes.size()) == known.end())
-      fail(Status::input, name, fmt::format("has a cell of {} nodes; expected 3, 4, 6, 8 or 9", nodes.size()));
+      fail(Status::input, name,
+           fmt::format("has a cell of {} nodes; expected {}", nodes.size(), dim == 2 ? "3, 4, 6, 8 or 9" : "4 or 10"));
     for (const int node : nodes)
       if (node < 0 || node >= count)
         fail(Status::input, name, fmt::format("has a cell with the node {}; expected 0 to {}", node, count - 1));
-    field.cells.push_back({nodes.size() % 3 == 0 && nodes.size() < 9 ? 3 : 4, nodes});
+    const bool triangle = nodes.size() % 3 == 0 && nodes.size() < 9;
+    field.cells.push_back({triangle ? 3 : 4, nodes});
   }
-  field.coordinate_rounding = rounding_of(field.nodes);
+  field.coordinate_rounding = rounding_of(field.nodes, dim);
   field.value_rounding = std::numeric_limits<double>::epsilon() / 2;
   check_values(field, {});
   return field;
 }
 
-void refuse(const RawField& field, int node, const std::string& message) {
+template <int dim> void refuse(const RawField<dim>& field, int node, const std::string& message) {
   const RawMesh::Node& at = field.nodes[node];
-  const std::string place = point(Vector<2>(at.x[0], at.x[1]));
+  const std::string place = point(Vector<dim>(Eigen::Map<const Vector<dim>>(at.x.data())));
   if (field.word == "line")
     fail(Status::input, fmt::format("{}:{}", field.file, at.tag), "the point " + place + " " + message);
   fail(Status::input, field.file, fmt::format("the {} {} at {} {}", field.word, at.tag, place, message));
 }
 
-double place_tolerance(const RawField& field, const Mesh<2>& mesh) {
-  // Corners are off by one rounding in each coordinate, midpoints by two: the length is below √2 · 2 < 3 of them. Who
-  // computes the place of a node by basis functions sums up to nine terms, each rounded twice, in doubles.
-  constexpr double sums = 2 * (9 + 1) * std::numeric_limits<double>::epsilon() / 2;
-  return (3 * (field.coordinate_rounding + mesh.coordinate_rounding) + sums) * largest(mesh.vertices);
+template <int dim> double place_tolerance(const RawField<dim>& field, const Mesh<dim>& mesh) {
+  // Corners are off by one rounding in each coordinate, midpoints by two: the length is below √2 · 2 < 3 of them, in
+  // space √3 · 2 < 4. Who computes the place of a node by basis functions sums up as many terms as a cell has nodes,
+  // each rounded twice, in doubles.
+  constexpr double sums = 2 * (most_nodes<dim> + 1) * std::numeric_limits<double>::epsilon() / 2;
+  return ((dim + 1) * (field.coordinate_rounding + mesh.coordinate_rounding) + sums) * largest(mesh.vertices);
 }
 
-double value_tolerance(const RawField& field) { return 2 * (9 + 1) * field.value_rounding * largest(field.values); }
+template <int dim> double value_tolerance(const RawField<dim>& field) {
+  return 2 * (most_nodes<dim> + 1) * field.value_rounding * largest(field.values);
+}
 
-void check_values(const RawField& field, const std::vector<double>& out_of_plane) {
+template <int dim> void check_values(const RawField<dim>& field, const std::vector<double>& out_of_plane) {
   if (field.nodes.empty()) fail(Status::input, field.file, "has no displacements");
   double size = 0;
   for (int i = 0; i < static_cast<int>(field.nodes.size()); ++i) {
@@ -82,10 +90,11 @@ void check_values(const RawField& field, const std::vector<double>& out_of_plane
         refuse(field, i, fmt::format("has the coordinate {:g}; expected a number", x));
       size = std::max(size, std::abs(x));
     }
-    const Vector<2>& u = field.values[i];
-    if (!(std::abs(u[0]) <= largest_size && std::abs(u[1]) <= largest_size))
+    const Vector<dim>& u = field.values[i];
+    if (!std::ranges::all_of(u, [](double component) { return std::abs(component) <= largest_size; }))
       refuse(field, i, fmt::format("has the displacement {}; expected numbers", point(u)));
   }
+  if (dim == 3) return;
   const double tolerance = value_tolerance(field);
   for (int i = 0; i < static_cast<int>(field.nodes.size()); ++i) {
     const double z = field.nodes[i].x[2];
@@ -99,19 +108,32 @@ void check_values(const RawField& field, const std::vector<double>& out_of_plane
   }
 }
 
-GivenDisplacement matched(const RawField& field, const Mesh<2>& mesh) {
-  const auto result = [&]() -> GivenDisplacement {
+template <int dim> GivenDisplacementOf<dim> matched(const RawField<dim>& field, const Mesh<dim>& mesh) {
+  const auto result = [&]() -> GivenDisplacementOf<dim> {
     if (field.cells.empty()) return matched_by_place(field, mesh);
     if (auto matched = matched_by_cells(field, mesh)) return *matched;
     return interpolated(field, mesh);
   };
-  GivenDisplacement given = result();
+  GivenDisplacementOf<dim> given = result();
   given.notes = field.notes;
   return given;
 }
 
-GivenDisplacement read_field(const std::filesystem::path& file, const Mesh<2>& mesh) {
-  return matched(read_raw_field(file), mesh);
+template <int dim> GivenDisplacementOf<dim> read_field(const std::filesystem::path& file, const Mesh<dim>& mesh) {
+  return matched(read_raw_field<dim>(file), mesh);
 }
+
+#define INSTANTIATE(dim)                                                                    \
+  template RawField<dim> read_raw_field(const std::filesystem::path&);                      \
+  template RawField<dim> raw_field_of(const NodalDisplacementOf<dim>&, const std::string&); \
+  template void refuse(const RawField<dim>&, int, const std::string&);                      \
+  template double place_tolerance(const RawField<dim>&, const Mesh<dim>&);                  \
+  template double value_tolerance(const RawField<dim>&);                                    \
+  template void check_values(const RawField<dim>&, const std::vector<double>&);             \
+  template GivenDisplacementOf<dim> matched(const RawField<dim>&, const Mesh<dim>&);        \
+  template GivenDisplacementOf<dim> read_field(const std::filesystem::path&, const Mesh<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::scene

@@ -57,35 +57,40 @@ Array read_array(Words& in, int points) {
   return array;
 }
 
-/// The cells that carry a displacement; lines and points beside them do not.
-void read_cells(Words& in, RawField& field) {
+/// The corners of VTK's type of cell with so many points; 0: what lies beside cells, none: not known. Types are those
+/// of first order, of second order, and Lagrange's, whose first nodes are in the same order.
+std::optional<int> corners_of(int type, int points, int dim) {
+  const auto is = [&](std::initializer_list<int> types) { return std::ranges::find(types, type) != types.end(); };
+  const bool tetrahedron = is({10, 24, 71}), triangle = is({5, 22, 69}), quadrilateral = is({9, 23, 28, 70});
+  if (is({1, 2, 3, 4, 21, 68}) || (dim == 3 && (triangle || quadrilateral))) return 0;
+  if (dim == 3 && tetrahedron && (points == 4 || points == 10)) return 4;
+  if (dim == 2 && triangle && (points == 3 || points == 6)) return 3;
+  if (dim == 2 && quadrilateral && (points == 4 || points == 8 || points == 9)) return 4;
+  return {};
+}
+
+/// The cells that carry a displacement; lines and points beside them, in space also faces, do not.
+template <int dim> void read_cells(Words& in, RawField<dim>& field) {
   for (int left = in.integer(); left > 0; --left) {
     const int type = in.integer(), n = in.integer();
-    RawField::Cell cell{0, {}};
-    for (int i = 0; i < n; ++i) cell.nodes.push_back(in.integer());
-    // Triangles, quadrilaterals, those of second order, and Lagrange's, whose first nodes are in the same order.
-    const bool triangle = type == 5 || type == 22 || type == 69,
-               quadrilateral = type == 9 || type == 23 || type == 28 || type == 70;
-    const bool line_or_point = type == 1 || type == 2 || type == 3 || type == 4 || type == 21 || type == 68;
-    if (line_or_point) continue;
-    if (triangle && (n == 3 || n == 6)) cell.corners = 3;
-    if (quadrilateral && (n == 4 || n == 8 || n == 9)) cell.corners = 4;
-    if (cell.corners == 0)
+    std::vector<int> nodes;
+    for (int i = 0; i < n; ++i) nodes.push_back(in.integer());
+    const std::optional<int> corners = corners_of(type, n, dim);
+    if (!corners)
       fail(Status::input, field.file,
-           fmt::format("has cells of VTK's type {} with {} points; expected triangles or quadrilaterals, linear or "
-                       "quadratic",
-                       type, n));
-    field.cells.push_back(std::move(cell));
+           fmt::format("has cells of VTK's type {} with {} points; expected {}, linear or quadratic", type, n,
+                       dim == 2 ? "triangles or quadrilaterals" : "tetrahedra"));
+    if (*corners > 0) field.cells.push_back({*corners, std::move(nodes)});
   }
 }
 
 /// The array of displacements: of a usual name, or the only one that can be.
-const Array& displacement_of(const std::vector<Array>& arrays, const std::string& file) {
+template <int dim> const Array& displacement_of(const std::vector<Array>& arrays, const std::string& file) {
   std::vector<std::string> names;
   std::vector<const Array*> vectors;
   for (const Array& array : arrays) {
     names.push_back(fmt::format("'{}' ({})", array.name, array.components));
-    if (array.components == 2 || array.components == 3) vectors.push_back(&array);
+    if (array.components == dim || array.components == 3) vectors.push_back(&array);
   }
   for (const char* usual : {"displacement", "displacements", "disp", "u", "f"})
     for (const Array* array : vectors) {
@@ -95,16 +100,16 @@ const Array& displacement_of(const std::vector<Array>& arrays, const std::string
     }
   if (vectors.size() == 1) return *vectors[0];
   fail(Status::input, file,
-       fmt::format("has {}; expected point data named 'displacement', 'u' or 'f', or only one array with 2 or 3 "
+       fmt::format("has {}; expected point data named 'displacement', 'u' or 'f', or only one array with {} "
                    "components; there are: {}",
                    vectors.empty() ? "no displacement" : "several arrays that may be the displacement",
-                   names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                   dim == 2 ? "2 or 3" : "3", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 }  // namespace
 
-RawField read_vtu_field(const std::filesystem::path& path) {
-  RawField field{.file = path.string(), .word = "point"};
+template <int dim> RawField<dim> read_vtu_field(const std::filesystem::path& path) {
+  RawField<dim> field{.file = path.string(), .word = "point"};
   const TemporaryFolder folder(field.file);
   const Converter converter{"bracket-field-converter", "VTK", "field.txt", Status::input};
   Words in(read_text(converted(path, folder, converter, std::chrono::seconds(300))));
@@ -115,21 +120,24 @@ RawField read_vtu_field(const std::filesystem::path& path) {
     const double x = in.number(), y = in.number(), z = in.number();
     field.nodes.push_back({i, {x, y, z}});
   }
-  field.coordinate_rounding = single ? rounding_of_float : rounding_of(field.nodes);
+  field.coordinate_rounding = single ? rounding_of_float : rounding_of(field.nodes, dim);
   in.next();  // "cells"
   read_cells(in, field);
   std::vector<Array> arrays;
   while (in.next() == "array") arrays.push_back(read_array(in, points));
-  const Array& displacement = displacement_of(arrays, field.file);
+  const Array& displacement = displacement_of<dim>(arrays, field.file);
   field.value_rounding = displacement.single ? rounding_of_float : std::numeric_limits<double>::epsilon() / 2;
   std::vector<double> out_of_plane;
   for (int i = 0; i < points; ++i) {
     const double* u = &displacement.values[static_cast<std::size_t>(displacement.components) * i];
-    field.values.emplace_back(u[0], u[1]);
-    if (displacement.components == 3) out_of_plane.push_back(u[2]);
+    field.values.emplace_back(Eigen::Map<const Vector<dim>>(u));
+    if (displacement.components > dim) out_of_plane.push_back(u[dim]);
   }
   check_values(field, out_of_plane);
   return field;
 }
+
+template RawField<2> read_vtu_field(const std::filesystem::path&);
+template RawField<3> read_vtu_field(const std::filesystem::path&);
 
 }  // namespace bracket::scene

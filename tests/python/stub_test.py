@@ -7,8 +7,9 @@ import re
 import unittest
 
 import bracket
+import bracket.space
 
-STUB = pathlib.Path(bracket.__file__).with_name("__init__.pyi")
+PACKAGE = pathlib.Path(bracket.__file__).parent
 
 
 def is_public(name):
@@ -33,45 +34,56 @@ def documented(function):
 
 
 class Stub(unittest.TestCase):
+    module = bracket
+    stub = "__init__.pyi"
+    parts = {"space"}  # modules in it
+
     def setUp(self):
-        tree = ast.parse(STUB.read_text())
+        tree = ast.parse((PACKAGE / self.stub).read_text())
         self.classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
         self.functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
         self.values = {node.target.id for node in tree.body if isinstance(node, ast.AnnAssign)}
 
     def test_has_every_public_name(self):
-        told = set(self.classes) | set(self.functions) | self.values
-        self.assertEqual(told, {name for name in vars(bracket) if is_public(name)} - {"_bracket"} | {"__all__"})
-        self.assertEqual(set(bracket.__all__), told - {"__all__"})
+        told = set(self.classes) | set(self.functions) | self.values | self.parts
+        self.assertEqual(told, {name for name in vars(self.module) if is_public(name)} | {"__all__"})
+        self.assertEqual(set(self.module.__all__), told - {"__all__"})
 
     def test_has_every_member(self):
         for name, node in self.classes.items():
             if name == "Error":
                 continue  # its attributes are made with each
             told = {one.name for one in node.body}
-            there = {member for member in vars(getattr(bracket, name)) if is_public(member)}
+            there = {member for member in vars(getattr(self.module, name)) if is_public(member)}
             if "__init__" not in told:  # made by the module alone
                 there.discard("__init__")
             self.assertEqual(told, there, name)
 
     def test_has_the_arguments(self):
         for name, node in self.functions.items():
-            self.assertEqual(documented(getattr(bracket, name)), arguments(node), name)
+            self.assertEqual(documented(getattr(self.module, name)), arguments(node), name)
         for name, node in self.classes.items():
             for one in node.body:
-                member = vars(getattr(bracket, name)).get(getattr(one, "name", ""))
+                member = vars(getattr(self.module, name)).get(getattr(one, "name", ""))
                 if isinstance(one, ast.FunctionDef) and not isinstance(member, property) and one.name != "__copy__":
                     self.assertEqual(documented(member), arguments(one), f"{name}.{one.name}")
 
     def test_is_beside_docstrings(self):
         for name in self.functions:
-            self.assertGreater(len(getattr(bracket, name).__doc__.splitlines()), 2, name)
+            self.assertGreater(len(getattr(self.module, name).__doc__.splitlines()), 2, name)
         for name in self.classes:
-            self.assertTrue(inspect.getdoc(getattr(bracket, name)), name)
+            self.assertTrue(inspect.getdoc(getattr(self.module, name)), name)
 
     def test_names_what_is_in_the_package(self):
-        for name in bracket.__all__:
-            self.assertEqual(getattr(getattr(bracket, name), "__module__", "bracket"), "bracket", name)
+        for name in self.module.__all__:
+            where = getattr(getattr(self.module, name), "__module__", self.module.__name__)
+            self.assertEqual(where, self.module.__name__, name)
+
+
+class StubOfSpace(Stub):
+    module = bracket.space
+    stub = "space.pyi"
+    parts = set()
 
 
 if __name__ == "__main__":

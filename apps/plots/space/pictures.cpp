@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/plots/pictures.h"
 #include "apps/report/pairs.h"
+#include "apps/report/stresses.h"
 #include "apps/report/units.h"
 #include "apps/report/words.h"
 #include "scene/text.h"
@@ -17,6 +19,8 @@ namespace bracket::apps {
 using scene::Vector;
 
 namespace {
+
+const Vector<3> front(0.5, 0.4, 1), back(-0.5, -0.4, -1);  // from where bodies are seen
 
 std::string bracketed(const std::string& what, const std::string& unit) {
   return unit.empty() ? what : fmt::format("{} [{}]", what, unit.substr(1));
@@ -38,15 +42,29 @@ constexpr const char* of_both_fields =
     "have one colour.";
 constexpr const char* shaded = " Faces that are turned from the light are up to a quarter darker than the bar.";
 
-Sketch seen(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Eye& eye, SurfaceField field) {
+std::string place_of(const Eye& eye) {
+  return fmt::format("({:.2f}, {:.2f}, {:.2f})", eye.to_eye.x(), eye.to_eye.y(), eye.to_eye.z());
+}
+
+/// Pieces of a surface as they are seen.
+Sketch seen(std::vector<Tessera> pieces, const Eye& eye, const std::string& units, const std::string& what) {
   Sketch sketch;
-  sketch.pieces = surface(report.outcome, shape, eye, field);
+  sketch.pieces = std::move(pieces);
   for (int k = 0; k < 3; ++k) sketch.axes[k] = eye.project(Vector<3>::Unit(k));
-  sketch.length_unit = units_of(report.scene.units, 3).length;
-  const Vector<3>& d = eye.to_eye;
-  sketch.legend = {fmt::format("{}; seen from the direction ({:.2f}, {:.2f}, {:.2f}), parallel rays",
-                               magnified(report, shape), d.x(), d.y(), d.z())};
+  sketch.length_unit = units_of(units, 3).length;
+  sketch.legend = {fmt::format("{}seen from the direction {}, parallel rays", what, place_of(eye))};
   return sketch;
+}
+Sketch seen(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Eye& eye, const SurfaceColour& colour) {
+  return seen(surface(report.outcome.problem, report.outcome.displacement, shape, eye, colour), eye, report.scene.units,
+              magnified(report, shape) + "; ");
+}
+
+/// Equal colours for the hundredth of what is seen with least, and for what is too small to matter.
+ColourScale of_density(const std::vector<Tessera>& pieces, const char* label) {
+  const double highest = quantile_by_area(pieces, 1);
+  const double lowest = std::max(quantile_by_area(pieces, 0.01), 1e-10 * highest);
+  return {.lowest = lowest, .highest = highest, .logarithmic = lowest > 0, .label = label};
 }
 
 ColourScale of_stress(const std::vector<Tessera>& pieces, const Units& units) {
@@ -56,19 +74,17 @@ ColourScale of_stress(const std::vector<Tessera>& pieces, const Units& units) {
 Drawing stress_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Vector<3>& from,
                        const char* name) {
   const Eye eye(from);
-  Sketch sketch = seen(report, shape, eye, SurfaceField::von_mises);
+  Sketch sketch = seen(report, shape, eye, by_von_mises(report.outcome));
   sketch.colours = of_stress(sketch.pieces, units_of(report.scene.units, 3));
-  const std::string caption = "The deformed bodies, " + magnified(report, shape) + ", seen from (" +
-                              fmt::format("{:.2f}, {:.2f}, {:.2f}", eye.to_eye.x(), eye.to_eye.y(), eye.to_eye.z()) +
-                              "), coloured by" + of_both_fields + shaded;
+  const std::string caption = "The deformed bodies, " + magnified(report, shape) + ", seen from " + place_of(eye) +
+                              ", coloured by" + of_both_fields + shaded;
   return {.name = name, .caption = caption, .svg = svg(std::move(sketch)), .png = {}, .wide = false};
 }
 
 Drawing indicator_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, const Vector<3>& from) {
-  Sketch sketch = seen(report, shape, Eye(from), SurfaceField::indicator_density);
-  const double highest = quantile_by_area(sketch.pieces, 1);
-  const double lowest = std::max(quantile_by_area(sketch.pieces, 0.01), 1e-10 * highest);
-  sketch.colours = {.lowest = lowest, .highest = highest, .logarithmic = lowest > 0, .label = "indicator by volume"};
+  Sketch sketch =
+      seen(report, shape, Eye(from), by_density(report.outcome.problem.mesh, report.outcome.indicator.cell));
+  sketch.colours = of_density(sketch.pieces, "indicator by volume");
   return {.name = "mesh",
           .caption =
               "The same bodies coloured by the density of the error indicator: what the cell at the surface adds "
@@ -135,14 +151,63 @@ Drawing slice_picture(const ReportOf<3>& report, const DrawnShapeOf<3>& shape, i
 
 }  // namespace
 
+SurfaceColour by_von_mises(const bounds::Outcome<3>& run) {
+  return [&run](int facet) -> FaceColour {
+    const auto& face = run.problem.mesh.boundary[facet];
+    return [&run, &face,
+            sigma = bounds::displacement_stress(run.problem, run.displacement, face.cell)](const InCell& in_part) {
+      return von_mises(mean_stress(sigma, run.stress, face.cell, face.local, in_part));
+    };
+  };
+}
+
+SurfaceColour by_density(const scene::Mesh<3>& mesh, const std::vector<double>& of_cell) {
+  return [&mesh, &of_cell](int facet) -> FaceColour {
+    const int cell = mesh.boundary[facet].cell;
+    return [density = of_cell[cell] / scene::volume(mesh, cell)](const InCell&) { return density; };
+  };
+}
+
 std::vector<Drawing> space_pictures(const ReportOf<3>& report) {
   const scene::Problem<3>& problem = report.outcome.problem;
   const DrawnShapeOf<3> shape = drawn_shape(problem, magnification(problem, report.outcome.displacement));
-  const Vector<3> front(0.5, 0.4, 1), back(-0.5, -0.4, -1);
   std::vector<Drawing> drawings = {stress_picture(report, shape, front, "stress"),
                                    stress_picture(report, shape, back, "stress_behind")};
   if (const int pair = most_pressed(report); pair >= 0) drawings.push_back(slice_picture(report, shape, pair));
   if (!error_is_rounding(report.outcome)) drawings.push_back(indicator_picture(report, shape, front));
+  return drawings;
+}
+
+std::vector<Drawing> error_cells_pictures(const scene::Scene<3>& scene, const bounds::AssessmentOf<3>& assessment) {
+  const scene::Problem<3>& problem = assessment.field.problem;
+  const DrawnShapeOf<3> undeformed = {
+      .factor = 0,
+      .shift = std::vector<Vector<3>>(problem.mesh.vertices.size(), Vector<3>::Zero()),
+      .beside = std::vector<scene::FacetQuadratic<3>>(problem.mesh.boundary.size(), scene::FacetQuadratic<3>{})};
+  std::vector<Drawing> drawings;
+  for (const auto& [name, from] : {std::pair("error", front), std::pair("error_behind", back)}) {
+    const Eye eye(from);
+    Sketch sketch = seen(surface(problem, assessment.field.given.displacement, undeformed, eye,
+                                 by_density(problem.mesh, assessment.cell)),
+                         eye, scene.units, "");
+    sketch.colours = of_density(sketch.pieces, "squared error by volume");
+    drawings.push_back({.name = name,
+                        .caption = "Where the displacement is wrong: its mesh, seen from " + place_of(eye) +
+                                   ", coloured by what the cell at the surface has of the squared error, by its "
+                                   "volume." +
+                                   shaded,
+                        .svg = svg(std::move(sketch)),
+                        .png = {},
+                        .wide = false});
+  }
+  return drawings;
+}
+
+Drawings drawn(const ReportOf<3>& report, bool png) {
+  Drawings drawings = draw(level_pictures(report), png);
+  const std::vector<Drawing> bodies = space_pictures(report);
+  drawings.drawn.insert(drawings.drawn.begin(), bodies.begin(), bodies.end());
+  if (png) drawings.missing.emplace_back("pictures of the bodies as PNG: in space they are SVG alone");
   return drawings;
 }
 

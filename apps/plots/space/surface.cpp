@@ -3,8 +3,6 @@
 #include <cmath>
 
 #include "apps/plots/space/pictures.h"
-#include "apps/report/space/cell_values.h"
-#include "apps/report/stresses.h"
 
 namespace bracket::apps {
 
@@ -36,20 +34,21 @@ double shade_of(const Vector<3>& normal, const Eye& eye) {
 /// Draws facets into pieces.
 class Surface {
  public:
-  Surface(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, const Eye& eye, SurfaceField field)
-      : run_(run), shape_(shape), eye_(eye), field_(field) {}
+  Surface(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement, const DrawnShapeOf<3>& shape,
+          const Eye& eye, const SurfaceColour& colour)
+      : problem_(problem), displacement_(displacement), shape_(shape), eye_(eye), colour_(colour) {}
 
   Vector<3> drawn(int facet, const InCell& point) const {
-    const int cell = run_.problem.mesh.boundary[facet].cell;
-    return value_in(point, scene::positions(run_.problem.mesh, run_.problem.mesh.cells[cell])) +
-           way_drawn(run_.problem, run_.displacement, shape_, cell, point, facet);
+    const int cell = problem_.mesh.boundary[facet].cell;
+    return value_in(point, scene::positions(problem_.mesh, problem_.mesh.cells[cell])) +
+           way_drawn(problem_, displacement_, shape_, cell, point, facet);
   }
 
   std::array<Vector<3>, 3> corners(int facet) const {
     std::array<Vector<3>, 3> x;
     for (int i = 0; i < 3; ++i) {
       InCell point = {};
-      point[scene::Simplex<3>::facets[run_.problem.mesh.boundary[facet].local][i]] = 1;
+      point[scene::Simplex<3>::facets[problem_.mesh.boundary[facet].local][i]] = 1;
       x[i] = drawn(facet, point);
     }
     return x;
@@ -57,8 +56,8 @@ class Surface {
 
   /// Its n² triangles that are turned to the eye. \param outlined whether the facet's edges are drawn
   void add(std::vector<Tessera>& pieces, int facet, int n, bool outlined) const {
-    const auto& face = run_.problem.mesh.boundary[facet];
-    const auto sigma = bounds::displacement_stress(run_.problem, run_.displacement, face.cell);
+    const auto& face = problem_.mesh.boundary[facet];
+    const FaceColour value = colour_(facet);
     const auto triangle = [&](const std::array<std::array<int, 2>, 3>& at) {
       std::array<Vector<3>, 3> x;
       InCell middle = {};
@@ -73,9 +72,7 @@ class Surface {
       for (const Vector<3>& corner : x) piece.corner.push_back(eye_.project(corner));
       piece.depth = (x[0] + x[1] + x[2]).dot(eye_.to_eye) / 3;
       piece.shade = shade_of(normal, eye_);
-      piece.value = field_ == SurfaceField::von_mises
-                        ? von_mises(mean_stress(sigma, run_.stress, face.cell, face.local, middle))
-                        : run_.indicator.cell[face.cell] / scene::volume(run_.problem.mesh, face.cell);
+      piece.value = value(middle);
       const auto on_edge = [&](int k) {  // whether the side from corner k to the next lies on an edge of the facet
         const auto &a = at[k], &b = at[(k + 1) % 3];
         return (a[0] == 0 && b[0] == 0) || (a[1] == 0 && b[1] == 0) || (a[0] + a[1] == n && b[0] + b[1] == n);
@@ -91,10 +88,11 @@ class Surface {
   }
 
  private:
-  const bounds::Outcome<3>& run_;
+  const scene::Problem<3>& problem_;
+  const scene::Displacement<3>& displacement_;
   const DrawnShapeOf<3>& shape_;
   const Eye& eye_;
-  SurfaceField field_;
+  const SurfaceColour& colour_;
 };
 
 /// Which facets lie on another body, so that nobody sees them.
@@ -122,18 +120,18 @@ double longest_edge(const std::array<Vector<3>, 3>& x, const Eye& eye) {
 Eye::Eye(const Vector<3>& towards)
     : to_eye(towards.normalized()), right(Vector<3>::UnitY().cross(to_eye).normalized()), up(to_eye.cross(right)) {}
 
-std::vector<Tessera> surface(const bounds::Outcome<3>& run, const DrawnShapeOf<3>& shape, const Eye& eye,
-                             SurfaceField field) {
-  const Surface faces(run, shape, eye, field);
-  const int n_faces = static_cast<int>(run.problem.mesh.boundary.size());
-  const double size = run.problem.length_scale;
-  const std::vector<char> hidden = covered(faces, run.problem);
+std::vector<Tessera> surface(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
+                             const DrawnShapeOf<3>& shape, const Eye& eye, const SurfaceColour& colour) {
+  const Surface faces(problem, displacement, shape, eye, colour);
+  const int n_faces = static_cast<int>(problem.mesh.boundary.size());
+  const double size = problem.length_scale;
+  const std::vector<char> hidden = covered(faces, problem);
   std::vector<Tessera> pieces;
   for (int facet = 0; facet < n_faces; ++facet) {
     if (hidden[facet]) continue;
     const double longest = longest_edge(faces.corners(facet), eye) / size;
     const bool outlined = longest > shortest_outlined;
-    const int least = outlined ? run.displacement.degree : 1;  // smaller ones look flat
+    const int least = outlined ? displacement.degree : 1;  // smaller ones look flat
     faces.add(pieces, facet, std::max(least, static_cast<int>(std::ceil(longest / largest_piece))), outlined);
   }
   return pieces;

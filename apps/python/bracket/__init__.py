@@ -6,9 +6,11 @@
     print(outcome)                                     # what is guaranteed
     outcome.displacement, outcome.stress               # the fields, computed
 
-Units are those of the scene; forces and energies are by thickness. Arrays are NumPy's and copies.
+Units are those of the scene; forces and energies of the plane are by thickness. Arrays are NumPy's and copies. What is in
+three dimensions is in bracket.space.
 """
 
+from . import space
 from ._bracket import (
     Assessment,
     Circle,
@@ -47,4 +49,5 @@ __all__ = [
     "assess_file",
     "read_scene",
     "run",
+    "space",
 ]

@@ -2,10 +2,12 @@
 # The types of the module; shapes, units and meanings are in its docstrings: help(bracket.Scene).
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Literal
+from typing import Literal, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
+
+from . import space as space
 
 __version__: str
 __all__: list[str]
@@ -65,6 +67,8 @@ class Stress:
 
 class Scene:
     def __init__(self, *, title: str = "", units: str = "", plane: Literal["strain", "stress"] = "strain") -> None: ...
+    @property
+    def dim(self) -> Literal[2]: ...
     @property
     def file(self) -> str: ...
     @property
@@ -276,8 +280,12 @@ class Assessment:
     def json(self) -> str: ...
     def _repr_html_(self) -> str: ...
 
-def read_scene(file: _Path, overrides: Sequence[str] = ()) -> Scene: ...
+def read_scene(file: _Path, overrides: Sequence[str] = ()) -> Scene | space.Scene: ...
+@overload
 def run(scene: Scene, progress: Callable[[Outcome], object] | None = None) -> Outcome: ...
+@overload
+def run(scene: space.Scene, progress: Callable[[space.Outcome], object] | None = None) -> space.Outcome: ...
+@overload
 def assess(
     scene: Scene,
     nodes: ArrayLike,
@@ -287,6 +295,21 @@ def assess(
     bodies: Sequence[str] = (),
     progress: Callable[[Outcome], object] | None = None,
 ) -> Assessment: ...
+@overload
+def assess(
+    scene: space.Scene,
+    nodes: ArrayLike,
+    values: ArrayLike,
+    *,
+    cells: ArrayLike | None = None,
+    bodies: Sequence[str] = (),
+    progress: Callable[[space.Outcome], object] | None = None,
+) -> space.Assessment: ...
+@overload
 def assess_file(
     scene: Scene, file: _Path, *, progress: Callable[[Outcome], object] | None = None
 ) -> Assessment: ...
+@overload
+def assess_file(
+    scene: space.Scene, file: _Path, *, progress: Callable[[space.Outcome], object] | None = None
+) -> space.Assessment: ...

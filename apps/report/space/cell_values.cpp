@@ -1,6 +1,8 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/report/space/cell_values.h"
 
+#include "scene/offsets.h"
+
 namespace bracket::apps {
 
 using scene::Simplex;
@@ -13,22 +15,9 @@ InCell in_cell(int part, const InCell& in_part) {
   return point;
 }
 
-Vector<3> displacement_in(const scene::Mesh<3>& mesh, const scene::Displacement<3>& displacement, int cell,
-                          const InCell& point) {
-  const bool quadratic = displacement.degree == 2;
-  Vector<3> u = Vector<3>::Zero();
-  for (int i = 0; i < 4; ++i)
-    u += (quadratic ? point[i] * (2 * point[i] - 1) : point[i]) * displacement.vertex[mesh.cells[cell][i]];
-  for (int e = 0; quadratic && e < 6; ++e) {
-    const auto& [a, b] = Simplex<3>::edges[e];
-    u += 4 * point[a] * point[b] * displacement.edge[mesh.cell_edges[cell][e]];
-  }
-  return u;
-}
-
 Vector<3> way_drawn(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
                     const DrawnShapeOf<3>& shape, int cell, const InCell& point, int facet) {
-  Vector<3> way = shape.factor * displacement_in(problem.mesh, displacement, cell, point);
+  Vector<3> way = shape.factor * scene::displacement_at(problem.mesh, displacement, cell, point);
   for (int i = 0; i < 4; ++i) way += point[i] * shape.shift[problem.mesh.cells[cell][i]];
   if (facet < 0) return way;
   const auto& corners = Simplex<3>::facets[problem.mesh.boundary[facet].local];

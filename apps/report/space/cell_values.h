@@ -21,10 +21,6 @@ template <class Values> auto value_in(const InCell& point, const Values& at_corn
 /// A point of a part, in its cell.
 InCell in_cell(int part, const InCell& in_part);
 
-/// u_h at a point of a cell.
-scene::Vector<3> displacement_in(const scene::Mesh<3>& mesh, const scene::Displacement<3>& displacement, int cell,
-                                 const InCell& point);
-
 /// The way from a point of a cell to where it is drawn. \param facet the boundary facet that it lies on, −1: none, or
 /// what is seen there does not matter
 scene::Vector<3> way_drawn(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,

@@ -11,6 +11,7 @@
 #include "apps/report/space/cell_values.h"
 #include "apps/report/stresses.h"
 #include "apps/report/vtk_about.h"
+#include "scene/offsets.h"
 #include "scene/parallel.h"
 #include "scene/voigt.h"
 
@@ -95,7 +96,7 @@ template <> std::string solution_vtu(const ReportOf<3>& report) {
       std::size_t point = own * per_part;
       for (const Node& node : nodes[part]) {
         store(grid.points, point, value_in(node.in_cell, x));
-        store(displacements, point, displacement_in(mesh, displacement, cell, node.in_cell));
+        store(displacements, point, scene::displacement_at(mesh, displacement, cell, node.in_cell));
         store(drawn, point,
               way_drawn(problem, displacement, shape, cell, node.in_cell, node.on_facet ? facets[cell][part] : -1));
         const Voigt<3> first = value_in(node.in_cell, sigma), second = value_in(node.in_part, lambda),
@@ -160,7 +161,7 @@ template <> std::string contact_vtu(const ReportOf<3>& report) {
       for (int c = 0; c < 3; ++c) in_cell[corners[c]] = point[c];
       const std::size_t own = 6 * i + static_cast<std::size_t>(k);
       store(grid.points, own, on_face(point, x));
-      store(displacements, own, displacement_in(mesh, report.outcome.displacement, face.cell, in_cell));
+      store(displacements, own, scene::displacement_at(mesh, report.outcome.displacement, face.cell, in_cell));
       store(drawn, own, way_drawn(problem, report.outcome.displacement, shape, face.cell, in_cell, facet));
       pressure.push_back(on_face(point, report.contact[i].pressure));
       of_displacement.push_back(on_face(point, pushed));

@@ -7,9 +7,6 @@ namespace bracket::bounds::space {
 
 using scene::Vector;
 
-namespace {
-
-/// Displacements at nodes; where they are held, what is prescribed, up to rounding.
 PlainField plain_field(const scene::Problem<3>& problem, const scene::Displacement<3>& u, const Supports& supports) {
   const auto& mesh = problem.mesh;
   PlainField field{u.degree, u.vertex};
@@ -26,6 +23,8 @@ PlainField plain_field(const scene::Problem<3>& problem, const scene::Displaceme
   }
   return field;
 }
+
+namespace {
 
 /// How a node can move along d: not at all where the length is 0.
 Vector<3> way(const NodeSupport& support, const Vector<3>& d) {

@@ -15,6 +15,9 @@ std::array<Number, 6> penetration(const scene::Problem<3>& problem, const Suppor
   return r;
 }
 
+/// Displacements at nodes; where they are held, what is prescribed, up to rounding.
+PlainField plain_field(const scene::Problem<3>& problem, const scene::Displacement<3>& u, const Supports& supports);
+
 /// The displacements of a solution, moved by no more than rounding, so that they are in K with certainty.
 /// \return nothing where the prescribed displacements leave no room; then `reason`
 struct AdmissibleField {

@@ -32,6 +32,19 @@ template <class Number> struct ElasticForm {
     }
     return sum;
   }
+  /// The energy of the stress Ce − s, from L⁻¹(Ce − s) = D Lᵀe − L⁻¹s: what a large modulus has in common cancels
+  /// first.
+  Number difference_energy(const std::array<Number, 6>& e, std::array<Number, 6> s) const {
+    Number sum(0);
+    for (int k = 0; k < 6; ++k) {
+      Number part = e[k];
+      for (int i = k + 1; i < coupled; ++i) part += l[i][k] * e[i];
+      for (int i = 0; i < k && k < coupled; ++i) s[k] -= l[k][i] * s[i];
+      const Number rest = d[k] * part - s[k];
+      sum += half_inverse[k] * (rest * rest);
+    }
+    return sum;
+  }
 
   void halve() {
     for (int k = 0; k < 6; ++k) half_d[k] = d[k] / Number(2);
@@ -79,12 +92,12 @@ template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const sce
 }
 
 /// The mean of a quadratic form over a tetrahedron of what is linear on it, given at its corners.
-template <class Number, class Form>
-Number mean_of_squares(const Form& form, const std::array<std::array<Number, 6>, 4>& value) {
-  std::array<Number, 6> all = value[0];
+template <class Number, class Form, std::size_t n>
+Number mean_of_squares(const Form& form, const std::array<std::array<Number, n>, 4>& value) {
+  std::array<Number, n> all = value[0];
   Number sum = form(value[0]);
   for (int k = 1; k < 4; ++k) {
-    for (int i = 0; i < 6; ++i) all[i] += value[k][i];
+    for (std::size_t i = 0; i < n; ++i) all[i] += value[k][i];
     sum += form(value[k]);
   }
   return (sum + form(all)) / Number(20);

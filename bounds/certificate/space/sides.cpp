@@ -16,17 +16,11 @@ bool is_finite(const auto& values) {
 }
 
 /// A comparison with what is not a number is false, and might pass for a pressure of zero.
-std::string field_fault(const scene::Mesh<3>& mesh, const scene::Displacement<3>& displacement,
-                        const scene::Stress<3>& stress) {
-  if (displacement.degree < 1 || displacement.degree > 2)
-    return "the displacements are of no degree that there is in space";
+std::string stress_fault(const scene::Mesh<3>& mesh, const scene::Stress<3>& stress) {
   if (stress.degree != 1) return "the stresses are of no degree that there is in space";
-  if (displacement.vertex.size() != mesh.vertices.size() ||
-      displacement.edge.size() != (displacement.degree - 1) * mesh.edges.size() || !displacement.cell.empty() ||
-      stress.cell.size() != mesh.cells.size() ||
+  if (stress.cell.size() != mesh.cells.size() ||
       !std::ranges::all_of(stress.cell, [](const auto& cell) { return cell.size() == 16; }))
     return "the fields are not those of this mesh";
-  if (!is_finite(displacement.vertex) || !is_finite(displacement.edge)) return "the displacements are not finite";
   if (!std::ranges::all_of(stress.cell, [](const auto& cell) { return is_finite(cell); }))
     return "the stresses are not finite";
   return "";
@@ -73,11 +67,22 @@ Sides both_sides(const scene::Problem<3>& problem, const std::vector<Corrected<E
   return sides;
 }
 
+std::string displacement_fault(const scene::Mesh<3>& mesh, const scene::Displacement<3>& displacement) {
+  if (displacement.degree < 1 || displacement.degree > 2)
+    return "the displacements are of no degree that there is in space";
+  if (displacement.vertex.size() != mesh.vertices.size() ||
+      displacement.edge.size() != (displacement.degree - 1) * mesh.edges.size() || !displacement.cell.empty())
+    return "the fields are not those of this mesh";
+  if (!is_finite(displacement.vertex) || !is_finite(displacement.edge)) return "the displacements are not finite";
+  return "";
+}
+
 std::string fault_of(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
                      const scene::Stress<3>& stress) {
   if (std::string fault = arithmetic_fault(); !fault.empty()) return fault;
   if (std::string fault = problem_fault(problem); !fault.empty()) return fault;
-  return field_fault(problem.mesh, displacement, stress);
+  if (std::string fault = displacement_fault(problem.mesh, displacement); !fault.empty()) return fault;
+  return stress_fault(problem.mesh, stress);
 }
 
 }  // namespace bracket::bounds::space

@@ -20,6 +20,7 @@ Sides both_sides(const scene::Problem<3>& problem, const std::vector<Corrected<E
                  const scene::Displacement<3>& displacement, const scene::Stress<3>& stress);
 
 /// What arithmetic, problem or fields lack of what a certificate needs, in one line; empty: nothing.
+std::string displacement_fault(const scene::Mesh<3>& mesh, const scene::Displacement<3>& displacement);
 std::string fault_of(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
                      const scene::Stress<3>& stress);
 

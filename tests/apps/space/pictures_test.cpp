@@ -47,8 +47,9 @@ TEST(PicturesInSpace, ABoxIsSeenOnce) {
       const Eye eye(from);
       const scene::Vector<3> d = eye.to_eye.cwiseAbs();
       const double expected = d.x() * 6 + d.y() * 3 + d.z() * 2;
-      for (const auto field : {SurfaceField::von_mises, SurfaceField::indicator_density})
-        EXPECT_NEAR(area(surface(run, drawn_shape(run.problem, 1), eye, field)), expected, 1e-12 * expected);
+      for (const SurfaceColour& colour : {by_von_mises(run), by_density(run.problem.mesh, run.indicator.cell)})
+        EXPECT_NEAR(area(surface(run.problem, run.displacement, drawn_shape(run.problem, 1), eye, colour)), expected,
+                    1e-12 * expected);
     }
 }
 

@@ -144,13 +144,94 @@ component = "yy"
   EXPECT_NE(checked.out.find("quantity: lift\n"), std::string::npos) << checked.out;
 }
 
+TEST_F(RunInSpace, LeavesASheet) {
+  const Ended ended = shell("bracket run boxes.toml --set refine.strategy=adaptive --set refine.max_levels=3 --json");
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const Json report = Json::parse(ended.out), sheet = Json::parse(read("boxes.out/sheet.json"));
+  EXPECT_EQ(sheet["dim"], 3);
+  EXPECT_FALSE(sheet["problem"].contains("plane"));
+  EXPECT_NE(sheet["problem"]["mathematical_model"].get<std::string>().find("three dimensions"), std::string::npos);
+  const Json& verification = sheet["verification_of_the_calculation"];
+  EXPECT_EQ(verification["levels"].size(), 3u);
+  EXPECT_EQ(verification["guarantee"], "rounding-safe");
+  const double by_cells = verification["observed_order"]["by_cells"];
+  EXPECT_NEAR(verification["observed_order"]["by_size"], -3 * by_cells, 1e-12);  // h³ = 1/cells
+  EXPECT_EQ(sheet["intervals"].back()["unit"], "N mm");
+  EXPECT_EQ(sheet["intervals"].back()["lower"], report["energy"]["lower"]);
+  EXPECT_NE(sheet["data_and_geometry"]["said"].dump().find("tetrahedra"), std::string::npos);
+  EXPECT_EQ(sheet.dump().find("across the plane"), std::string::npos);
+  for (const Json& found : sheet["findings"])
+    if (!found["at"].is_null()) EXPECT_EQ(found["at"].size(), 3u);
+  const std::string html = read("boxes.out/sheet.html");
+  EXPECT_NE(html.find("Numerical uncertainty"), std::string::npos);
+  EXPECT_NE(html.find("three dimensions"), std::string::npos);
+}
+
+// The half that is pulled apart opens, and carries no more than the width of the interval by the gap.
+TEST_F(RunInSpace, TellsWhatTheOpenPartCarriesAtMost) {
+  const Json json = report("--set refine.strategy=adaptive --set refine.max_levels=4");
+  const Json& pair = json["contact"][0];
+  EXPECT_GT(pair["open"]["area"], 0);
+  EXPECT_LT(pair["open"]["area"], 0.5);
+  EXPECT_GT(pair["open"]["gap"], 0);
+  const Json& certificate = json["levels"].back();
+  const double width = certificate["upper"].get<double>() - certificate["lower"].get<double>();
+  const double at_most = pair["open"]["force_at_most"], gap = pair["open"]["gap"];
+  EXPECT_GE(at_most * gap, width / 2 * (1 - 1e-12));  // T = ½ (w + κ), 0 ≤ κ ≤ w
+  EXPECT_LE(at_most * gap, width * (1 + 1e-9));
+}
+
+// The fields that a run leaves are those of another program, on cells of their own: on the nodes of the scene's mesh
+// they are the run's displacement.
+TEST_F(RunInSpace, AssessJudgesADisplacement) {
+  ASSERT_EQ(shell("bracket run boxes.toml --no-report").status, 0);
+  const std::string budget = " --set refine.strategy=adaptive --set refine.max_cells=3000";
+  const Ended ended = shell("bracket assess boxes.toml boxes.out/solution_0.vtu" + budget);
+  ASSERT_EQ(ended.status, 5) << ended.err;  // the mesh that it would take is larger
+  EXPECT_EQ(ended.out.find("● guaranteed error of the displacement  "), 0u) << ended.out;
+  EXPECT_LE(widest(ended.out), 80u) << ended.out;
+  const std::string out = unbroken(ended.out);
+  EXPECT_NE(out.find("interpolated: boxes.out/solution_0.vtu is of another mesh"), std::string::npos) << out;
+  EXPECT_NE(out.find("quadratic tetrahedra of the scene's mesh"), std::string::npos) << out;
+  EXPECT_NE(out.find("three dimensions"), std::string::npos) << out;
+  EXPECT_NE(out.find(" √(N mm). Guarantee: rounding-safe."), std::string::npos) << out;
+  for (const char* name : {"assess.json", "assess.vtu", "error.svg", "error_behind.svg"})
+    EXPECT_TRUE(std::filesystem::exists(directory / "boxes.assess" / name)) << name;
+  const Json of_assess = Json::parse(read("boxes.assess/assess.json")), of_run = report();
+  EXPECT_EQ(of_assess["dim"], 3);
+  EXPECT_EQ(of_assess["displacement"]["degree"], 2);
+  EXPECT_LT(of_assess["displacement"]["penetration"], 1e-15);
+  // |u_h − u|² ≤ 2 (L(u_h) − L(u)), and of the run's own mesh the bound is 2 w.
+  const double upper = of_run["energy"]["upper"], lower = of_run["energy"]["lower"];
+  EXPECT_GT(of_assess["error"]["lower"], 0);
+  EXPECT_LE(of_assess["error"]["lower"], std::sqrt(2 * (upper - lower)));
+  EXPECT_LE(of_assess["error"]["upper"], std::sqrt(2 * (upper - lower)));
+}
+
+TEST_F(RunInSpace, AssessTellsThatNothingIsOneHundredPercent) {
+  std::string none = "x,y,z,ux,uy,uz\n";
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 5; ++j)
+      for (int k = 0; k < 2; ++k)
+        none += std::to_string(0.5 * i) + "," + std::to_string(0.5 * j) + "," + std::to_string(0.5 * k) + ",0,0,0\n";
+  write("none.csv", none);
+  const Ended ended = shell("bracket assess boxes.toml none.csv --json");
+  const Json relative = Json::parse(ended.out)["relative_error"];
+  EXPECT_LT(relative["lower"], 1);
+  EXPECT_GT(relative["upper"], 1);
+  write("part.csv", none.substr(0, none.size() / 2) + "0,0,0,0,0,0\n");
+  for (const std::string file : {"part.csv", "boxes.toml", "missing.csv"}) {
+    const Ended refused = shell("bracket assess boxes.toml " + file);
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+  }
+}
+
 TEST_F(RunInSpace, WhatSpaceDoesNotHaveIsRefusedInOneLine) {
   write("quantity.toml", std::string(two_boxes) + "[[quantity]]\nslip = \"upper.bottom\"\n");
-  write("field.csv", "x,y,z,ux,uy,uz\n");
-  for (const std::string command :
-       {"study boxes.toml", "extremes boxes.toml", "assess boxes.toml field.csv", "run quantity.toml",
-        "check quantity.toml", "run boxes.toml --set contact.0.zones=4", "run boxes.toml --set solve.degree=3",
-        "run boxes.toml --set solve.dual=uzawa"}) {
+  for (const std::string command : {"study boxes.toml", "extremes boxes.toml", "run quantity.toml",
+                                    "check quantity.toml", "run boxes.toml --set contact.0.zones=4",
+                                    "run boxes.toml --set solve.degree=3", "run boxes.toml --set solve.dual=uzawa"}) {
     const Ended ended = shell("bracket " + command);
     EXPECT_EQ(ended.status, 2) << command;
     EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1) << command << ": " << ended.err;
