@@ -75,6 +75,21 @@ class Examples(unittest.TestCase):
         # On the whole block the vertical stress is that of the load 100 (1 + 0.2 x), the mean of which is 110.
         self.assertAlmostEqual(resultant[1], -110, delta=1e-9)
 
+    def test_stamp_bears_its_load(self):
+        stamp = example("stamp")
+        scene = stamp.scene()
+        scene.set_refine(max_levels=2)
+        outcome = bracket.run(scene)
+        self.assertEqual(outcome.guarantee, "discretisation")
+        # On the quarter of the head, [0, 20]^2, the load 10 (1 - (x + y)/80) has the mean 7.5.
+        force = outcome.quantity("force")
+        self.assertLessEqual(force.lower, 3000)
+        self.assertGreaterEqual(force.upper, 3000)
+        self.assertLess(force.upper - force.lower, 1)
+        mesh = outcome.mesh
+        normals = numpy.cross(*(mesh.vertices[mesh.parts["foot"]][:, [1, 2]] - mesh.vertices[mesh.parts["foot"]][:, :1]).transpose(1, 0, 2))
+        numpy.testing.assert_allclose(normals.sum(axis=0) / 2, [0, 0, -900], atol=1e-9)
+
     @unittest.skipUnless(is_there("getfem"), "needs GetFEM")
     def test_judge_getfem(self):
         """Prints what the page says."""
