@@ -20,7 +20,9 @@ using scene::Vector;
 
 namespace {
 
-const Vector<3> front(0.5, 0.4, 1), back(-0.5, -0.4, -1);  // from where bodies are seen
+/// From where bodies are seen.
+Vector<3> from_front() { return {0.5, 0.4, 1}; }
+Vector<3> from_behind() { return -from_front(); }
 
 std::string bracketed(const std::string& what, const std::string& unit) {
   return unit.empty() ? what : fmt::format("{} [{}]", what, unit.substr(1));
@@ -171,10 +173,10 @@ SurfaceColour by_density(const scene::Mesh<3>& mesh, const std::vector<double>& 
 std::vector<Drawing> space_pictures(const ReportOf<3>& report) {
   const scene::Problem<3>& problem = report.outcome.problem;
   const DrawnShapeOf<3> shape = drawn_shape(problem, magnification(problem, report.outcome.displacement));
-  std::vector<Drawing> drawings = {stress_picture(report, shape, front, "stress"),
-                                   stress_picture(report, shape, back, "stress_behind")};
+  std::vector<Drawing> drawings = {stress_picture(report, shape, from_front(), "stress"),
+                                   stress_picture(report, shape, from_behind(), "stress_behind")};
   if (const int pair = most_pressed(report); pair >= 0) drawings.push_back(slice_picture(report, shape, pair));
-  if (!error_is_rounding(report.outcome)) drawings.push_back(indicator_picture(report, shape, front));
+  if (!error_is_rounding(report.outcome)) drawings.push_back(indicator_picture(report, shape, from_front()));
   return drawings;
 }
 
@@ -185,7 +187,7 @@ std::vector<Drawing> error_cells_pictures(const scene::Scene<3>& scene, const bo
       .shift = std::vector<Vector<3>>(problem.mesh.vertices.size(), Vector<3>::Zero()),
       .beside = std::vector<scene::FacetQuadratic<3>>(problem.mesh.boundary.size(), scene::FacetQuadratic<3>{})};
   std::vector<Drawing> drawings;
-  for (const auto& [name, from] : {std::pair("error", front), std::pair("error_behind", back)}) {
+  for (const auto& [name, from] : {std::pair("error", from_front()), std::pair("error_behind", from_behind())}) {
     const Eye eye(from);
     Sketch sketch = seen(surface(problem, assessment.field.given.displacement, undeformed, eye,
                                  by_density(problem.mesh, assessment.cell)),
