@@ -105,6 +105,25 @@ TEST(DataInSpace, linear_data_leave_the_first_mesh_alone) {
   EXPECT_TRUE(outcome.problem.mesh.notes.empty());
 }
 
+// A kept gap that is a quadratic is one to rounding; displacements of degree 1 cannot have it.
+TEST(DataInSpace, a_kept_gap_that_is_quadratic_leaves_the_first_mesh_alone) {
+  scene::Scene<3> s = everything(1);
+  s.contact[1].law = scene::Law::bilateral;
+  for (const int degree : {2, 1}) {
+    s.solve.degree = degree;
+    s.refine = {.strategy = scene::Strategy::adaptive, .max_levels = 1, .max_cells = 40};
+    const auto outcome = bounds::run(s);
+    ASSERT_EQ(outcome.guarantee, "rounding-safe") << outcome.reason;
+    EXPECT_EQ(outcome.levels[0].cells, 12);
+    if (degree == 2) {
+      EXPECT_LE(outcome.levels[0].oscillation_energy, 1e-14 * std::abs(outcome.upper));
+    }
+    if (degree == 1) {
+      EXPECT_GT(outcome.levels[0].oscillation_energy, 1e-4 * std::abs(outcome.upper));
+    }
+  }
+}
+
 // Sides that touch stay matched, and the first mesh's marks carry on.
 TEST(DataInSpace, contact_stays_matched_on_a_first_mesh_refined_for_its_data) {
   scene::Scene<3> s = two_blocks(2);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/problem/space/face_gap.h"
 #include "scene/quadrature.h"
 
 namespace bracket::scene {
@@ -168,10 +169,34 @@ FaceDifference difference(const Function<3>& given, const Face& face, const Face
   return difference(given, face, part, quadratic);
 }
 
+namespace {
+
+/// Of a function that is a quadratic, too: by the coefficients of the difference.
+FaceDifference difference(const FaceGapBounds& given, const Face& face, const Quadratic& quadratic) {
+  FaceDifference result{whole_face, 0, 0, 0};
+  Quadratic left;
+  for (int k = 0; k < 6; ++k) {
+    const Interval own(given.lower[k], given.upper[k]);
+    left[k] = own - quadratic[k];
+    result.largest = std::max(result.largest, least_double_above(left[k].magnitude()));
+    result.value = std::max(result.value, least_double_above(own.magnitude()));
+  }
+  std::array<double, 2> steepest{};
+  for (int i = 0; i < 2; ++i)
+    for (const OnFace& corner : whole_face)
+      steepest[i] = std::max(steepest[i], least_double_above(slope_at(left, corner, across_face[i]).magnitude()));
+  result.slope = largest_gradient(face, steepest);
+  return result;
+}
+
+}  // namespace
+
 std::vector<FaceDifference> difference(const Function<3>& given, const Face& face,
                                        const std::array<double, 6>& quadratic) {
   Quadratic enclosed;
   std::copy(quadratic.begin(), quadratic.end(), enclosed.begin());
+  if (const auto bounds = given.is_enclosed() ? quadratic_gap(given, face) : std::nullopt)
+    return {difference(*bounds, face, enclosed)};
   std::vector<FaceDifference> all;
   for (const FacePart& part : parts_of(given, face)) all.push_back(difference(given, face, part, enclosed));
   return all;

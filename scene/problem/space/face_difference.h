@@ -37,7 +37,8 @@ struct FaceDifference {
 /// \param corners the values of a linear function
 FaceDifference difference(const Function<3>& given, const Face& face, const FacePart& part,
                           const std::array<double, 3>& corners);
-/// On parts_of() the face. \param quadratic its Bernstein coefficients, as FacetQuadratic<3> has them
+/// On parts_of() the face, or, of another quadratic, all of it. \param quadratic its Bernstein coefficients, as
+/// FacetQuadratic<3> has them
 std::vector<FaceDifference> difference(const Function<3>& given, const Face& face,
                                        const std::array<double, 6>& quadratic);
 
