@@ -54,17 +54,17 @@ std::string cell_fault(const Problem<3>& problem, int cell) {
 
 std::string topology_fault(const Problem<3>& problem) {
   const auto& mesh = problem.mesh;
-  struct Sides {
+  struct CellsAtFacet {
     int count = 0, cell = -1, local = -1;
   };
-  std::vector<Sides> sides(scene::n_facets(mesh));
+  std::vector<CellsAtFacet> sides(scene::n_facets(mesh));
   std::vector<int> ranks(mesh.cells.size()), parents(mesh.cells.size());
   std::iota(parents.begin(), parents.end(), 0);
   boost::disjoint_sets<int*, int*> connected(ranks.data(), parents.data());
   for (int cell = 0; cell < static_cast<int>(mesh.cells.size()); ++cell) {
     if (std::string fault = cell_fault(problem, cell); !fault.empty()) return fault;
     for (int k = 0; k < 4; ++k) {
-      Sides& known = sides[mesh.facet_numbers[cell][k]];
+      CellsAtFacet& known = sides[mesh.facet_numbers[cell][k]];
       if (++known.count == 1) {
         known.cell = cell;
         known.local = k;
@@ -88,7 +88,7 @@ std::string topology_fault(const Problem<3>& problem) {
   if (sets != mesh.components.size() || std::ranges::count(has_cells, 0) > 0)
     return "a component of the mesh does not hang together through facets";
   std::size_t open = 0;
-  for (const Sides& one : sides) {
+  for (const CellsAtFacet& one : sides) {
     if (one.count == 0) return "a facet has no cell";
     open += one.count == 1;
   }
