@@ -122,7 +122,8 @@ TEST(RefusedInSpace, one_clear_line) {
              force = quantity(QuantityKind::force, "upper.bottom");
   expect_refusal(along(quantity(QuantityKind::displacement, "upper.tip"), 0, 1, 0), "did you mean 'upper.top'");
   expect_refusal(quantity(QuantityKind::force, "lower.top"), "there is no contact 'lower.top'");
-  expect_refusal(along(quantity(QuantityKind::displacement, "upper.bottom"), 0, 1, 0), "is in contact");
+  expect_refusal(along(quantity(QuantityKind::displacement, "lower.bottom"), 0, 1, 0), "the part is fixed");
+  expect_refusal(along(quantity(QuantityKind::displacement, "upper.front"), 0, 0, 1), "along its normal is given");
   expect_refusal(along(quantity(QuantityKind::reaction, "upper.top"), 0, 1, 0), "neither fixed nor sliding");
   expect_refusal(quantity(QuantityKind::rotation, "upper.top"), "about an axis of the coordinates");
   expect_refusal(along(quantity(QuantityKind::rotation, "upper.top"), 0, 1, 1), "about an axis of the coordinates");
