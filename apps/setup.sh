@@ -2,7 +2,7 @@
 # Installs the Debian packages that are missing. Sourced by apps/run.sh and, with $more_packages, by tests/run.sh.
 
 packages="g++ cmake ninja-build lld
-  libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas0-pthread libopenblas-dev libboost-dev
+  libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas0-pthread libopenblas-dev libboost-dev libgmp-dev
   libtbb-dev
   libvtk9-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev
   gnuplot-nox pybind11-dev python3-dev python3-numpy ${more_packages:-}"

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "bounds/bounds.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::bounds {
@@ -95,7 +96,7 @@ TEST(Driver, intersects_its_levels_and_never_raises_the_upper_bound) {
     for (const int degree : {1, 2, 3, 4}) {
       auto scene = adaptive(0);
       scene.refine.strategy = strategy;
-      scene.refine.max_cells = 3000;
+      scene.refine.max_cells = tests::sanitized ? 600 : 3000;
       scene.solve.degree = degree;
       const auto outcome = run(scene);
       ASSERT_GT(outcome.levels.size(), 2u);

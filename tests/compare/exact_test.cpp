@@ -5,6 +5,7 @@
 
 #include "tests/compare/admissible.h"
 #include "tests/compare/scene_files.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
@@ -128,6 +129,7 @@ TEST(TwoBlocks, agree_with_an_independent_computation) {  // docs/theory.md §9.
 TEST(TwoBlocks, contain_the_known_interval_at_every_level) {
   for (const int n : {2, 4, 8, 16, 32})
     for (const int degree : {1, 2, 3, 4}) {
+      if (sanitized && n > 4) continue;
       auto open = two_blocks(n);
       open.solve.degree = degree;
       const auto outcome = bounds::run(open);

@@ -7,14 +7,17 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket::tests {
 
-/// All scenes of apps/scenes, by name.
+/// All scenes of apps/scenes, by name; under sanitizers but for that of the most cells, which arcs_test.cpp has
+/// coarser.
 inline std::vector<std::filesystem::path> scene_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(BRACKET_SCENES))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    if (entry.path().extension() == ".toml" && !(sanitized && entry.path().stem() == "press_fit"))
+      files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -6,6 +6,7 @@
 #include "tests/support/interval_faults.h"
 #include "tests/support/random_laws.h"
 #include "tests/support/random_quantities.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket::tests {
 namespace {
@@ -38,7 +39,7 @@ TEST_P(RandomLaws, HaveQuantitiesThatMeetOrAreRefused) {
   EXPECT_GE(both_ends, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(RandomScenes, RandomLaws, testing::Range(0, 4));
+INSTANTIATE_TEST_SUITE_P(RandomScenes, RandomLaws, testing::Range(0, sanitized ? 1 : 4));
 
 }  // namespace
 }  // namespace bracket::tests

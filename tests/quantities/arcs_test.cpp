@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/quantities/asked.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket::tests {
 namespace {
@@ -35,6 +36,7 @@ TEST(QuantitiesOnArcs, are_those_of_the_last_polygon) {
   // Another polygon, another stress: intersected they would contradict each other.
   EXPECT_LT(outcome.quantities[1].levels[0].upper, outcome.quantities[1].levels[1].lower);
 
+  if (sanitized) return;
   // That polygon as a problem of its own, on the same mesh with a higher degree.
   scene.curves.clear();
   scene.solve.degree = 3;

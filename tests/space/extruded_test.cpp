@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "bounds/bounds.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket {
 namespace {
@@ -23,7 +24,7 @@ scene::Scene<2> plane_scene(const std::string& name, const std::vector<std::arra
 
 void expect_meets(scene::Scene<2> plane, double thickness, const scene::Refine& refine) {
   scene::Scene<3> space = tests::space::extruded(plane, scene::build_mesh(plane), thickness);
-  plane.refine = {scene::Strategy::adaptive, 1e-3, 0.5, 14, 20000, 600, {}};
+  plane.refine = {scene::Strategy::adaptive, 1e-3, 0.5, tests::sanitized ? 5 : 14, 20000, 600, {}};
   const auto known = bounds::run(plane);
   space.refine = refine;
   const auto found = bounds::run(space);
@@ -81,7 +82,9 @@ scene::Scene<2> with_projected_loads(scene::Scene<2> plane) {
   return plane;
 }
 
-scene::Refine refinement(scene::Strategy strategy, int levels) { return {strategy, 0, 0.5, levels, 20000, 600, {}}; }
+scene::Refine refinement(scene::Strategy strategy, int levels) {
+  return {strategy, 0, 0.5, tests::sanitized ? std::min(levels, 3) : levels, 20000, 600, {}};
+}
 
 TEST(Extruded, two_blocks_that_lift_off) {
   expect_meets(plane_scene("two_blocks", {{2, 2}, {2, 2}}), 0.5, refinement(scene::Strategy::adaptive, 12));

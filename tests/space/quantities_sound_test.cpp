@@ -7,6 +7,7 @@
 #include "bounds/asked.h"
 #include "bounds/quantities/evaluate.h"
 #include "tests/space/asked.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 // Quantities of scenes whose solution is not known.
@@ -45,16 +46,17 @@ TEST(QuantitiesInSpace, of_an_extruded_scene_meet_those_of_the_plane) {
     of_space.push_back(one);
     plane.quantities.push_back(in_plane(one));
   }
-  plane.refine = {.strategy = scene::Strategy::adaptive, .max_cells = 4000};
+  constexpr int levels = tests::sanitized ? 2 : 3;
+  plane.refine = {.strategy = scene::Strategy::adaptive, .max_cells = tests::sanitized ? 1000 : 4000};
   const auto known = bounds::run(plane);
-  const auto found = outcome_of(two_blocks(2), of_space, {.strategy = scene::Strategy::adaptive, .max_levels = 3});
+  const auto found = outcome_of(two_blocks(2), of_space, {.strategy = scene::Strategy::adaptive, .max_levels = levels});
   ASSERT_EQ(known.guarantee, "rounding-safe") << known.reason;
   ASSERT_EQ(found.guarantee, "rounding-safe") << found.reason;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     SCOPED_TRACE(asked[i].first.name);
     const auto &exact = known.quantities[i], &interval = found.quantities[i];
     EXPECT_EQ(interval.reason, "");
-    ASSERT_EQ(interval.levels.size(), 3U);
+    ASSERT_EQ(interval.levels.size(), static_cast<std::size_t>(levels));
     const double factor = asked[i].second, rounding = 1e-14 * std::abs(exact.upper);
     for (const auto& level : interval.levels) {
       EXPECT_LE(level.lower, factor * exact.upper + rounding);
@@ -108,11 +110,7 @@ scene::Scene<3> something(int n, unsigned seed) {
 // Each is an interval around one number, on whatever mesh; where its weight falls to zero over the faces of the first
 // mesh, on those that begin with the same.
 TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr unsigned seeds = 2, enough = 4;  // one of each kind: Release has all
-#else
-  constexpr unsigned seeds = 4, enough = 12;
-#endif
+  constexpr unsigned seeds = tests::sanitized ? 2 : 4, enough = tests::sanitized ? 0 : 12;
   unsigned narrow = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     std::mt19937 generator(seed);
@@ -121,7 +119,7 @@ TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
       std::erase_if(asked,
                     [](const Quantity& one) { return one.kind == QuantityKind::opening && one.of == "lower.bottom"; });
     const auto coarse = outcome_of(something(1, seed), asked, {.strategy = scene::Strategy::adaptive, .max_levels = 2});
-    const auto fine = outcome_of(something(2, seed), asked, {});
+    const auto fine = outcome_of(something(tests::sanitized ? 1 : 2, seed), asked, {});
     ASSERT_EQ(coarse.guarantee, "rounding-safe") << coarse.reason;
     ASSERT_EQ(fine.guarantee, "rounding-safe") << fine.reason;
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -144,7 +142,7 @@ TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
 
 // The problems with data added, loads on contact faces among them, have both formulations and the gap identity.
 TEST(QuantitiesInSpace, perturb_problems_that_are_problems) {
-  scene::Scene<3> s = everything(2);
+  scene::Scene<3> s = everything(tests::sanitized ? 1 : 2);
   const auto problem = bounds::balanced(scene::fix_data(s, scene::build_mesh(s)), 2);
   const primal::Solver<3> displacements(problem, 2, true);
   const bounds::LocalStresses<3> stresses(displacements, problem, 1, true);
@@ -171,7 +169,7 @@ TEST(QuantitiesInSpace, perturb_problems_that_are_problems) {
 // The width is a sum of squares of the two pairs of fields, over cells and contact facets: what is certified is that,
 // but for rounding, on a refined mesh, too.
 TEST(QuantitiesInSpace, have_local_terms_that_add_up_to_the_width) {
-  scene::Scene<3> s = everything(2);
+  scene::Scene<3> s = everything(tests::sanitized ? 1 : 2);
   const auto first = bounds::balanced(scene::fix_data(s, scene::build_mesh(s)), 2);
   std::vector<char> marked(first.mesh.cells.size(), 0);
   marked[3] = 1;
@@ -219,7 +217,10 @@ TEST(QuantitiesInSpace, steer_to_the_goal) {
   const Quantity asked = along(quantity(QuantityKind::displacement, "upper.top"), 0, 1, 0);
   s.quantities = {asked};
   const auto last = [&](const std::string& goal) {
-    s.refine = {.strategy = scene::Strategy::adaptive, .max_cells = 500, .goal = goal, .all_levels = true};
+    s.refine = {.strategy = scene::Strategy::adaptive,
+                .max_cells = tests::sanitized ? 150 : 500,
+                .goal = goal,
+                .all_levels = true};
     const auto levels = bounds::run(s).quantities.at(0).levels;
     return (levels.back().upper - levels.back().lower) * levels.back().cells;
   };

@@ -5,6 +5,7 @@
 
 #include "tests/quantities/known.h"
 #include "tests/space/asked.h"
+#include "tests/support/sanitized.h"
 
 // Quantities of scenes whose solution is known: their exact values are in each level's interval.
 namespace bracket {
@@ -20,7 +21,8 @@ void expect_inside(const scene::Scene<3>& scene, const std::vector<Exact>& known
   tests::expect_inside(outcome_of(scene, tests::quantities_of(known), refine), known, levels);
 }
 
-const scene::Refine two_uniform = {.strategy = scene::Strategy::uniform, .max_levels = 2};
+constexpr int levels = tests::sanitized ? 1 : 2;
+const scene::Refine uniform = {.strategy = scene::Strategy::uniform, .max_levels = levels};
 
 template <class F> Function of(F f) { return scene::enclosed<3>(f); }
 
@@ -41,7 +43,7 @@ TEST(QuantitiesInSpace, of_a_patch_are_exact) {
                    {stress("upper", StressComponent::mean), -1e4 / 3, 1e-4},
                    {quantity(QuantityKind::opening, "upper.back"), 0, 1e-8},
                    {quantity(QuantityKind::energy, ""), 50, 1e-6}},
-                  two_uniform, 2);
+                  uniform, levels);
   }
 }
 
@@ -66,7 +68,7 @@ TEST(QuantitiesInSpace, of_a_linear_pressure_are_exact) {
                  {stress("upper", StressComponent::yy), 0, 1e-8},
                  {quantity(QuantityKind::opening, "upper.back"), 0, 1e-6},
                  {quantity(QuantityKind::energy, ""), 3.3125, 1e-8}},
-                two_uniform, 2);
+                uniform, levels);
 }
 
 // A block that hangs from its top and does not reach the wall: the mean opening is the gap less what it sinks, ½ w.
@@ -86,7 +88,7 @@ TEST(QuantitiesInSpace, of_what_does_not_touch) {
        {quantity(QuantityKind::force, "block.back"), 0, 1e-6},
        {along(quantity(QuantityKind::reaction, "block.front"), 0, 0, 1), 0.25, 1e-8},
        {quantity(QuantityKind::energy, ""), 0.125 * 0.125 / 3, 1e-3}},
-      two_uniform, 2);
+      uniform, levels);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "bounds/bounds.h"
 #include "tests/space/scenes.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket {
 namespace {
@@ -50,6 +51,7 @@ TEST(RunInSpace, what_is_in_both_spaces_is_found_exactly) {
     }
 }
 
+#ifndef __SANITIZE_ADDRESS__
 TEST(RunInSpace, partial_lift_off_extruded_contains_what_the_plane_knows) {
   scene::Scene<3> scene = refined(two_blocks(2), scene::Strategy::adaptive, 30);
   scene.refine.target = 0.03;
@@ -67,6 +69,7 @@ TEST(RunInSpace, partial_lift_off_extruded_contains_what_the_plane_knows) {
     before = level.plain.upper;
   }
 }
+#endif
 
 TEST(RunInSpace, everything_at_once_is_sound_on_every_level) {
   const auto outcome = bounds::run(refined(everything(2), scene::Strategy::adaptive, 5));
@@ -77,7 +80,7 @@ TEST(RunInSpace, everything_at_once_is_sound_on_every_level) {
     upper = std::min(upper, level.bracket.upper);
   }
   EXPECT_LE(lower, upper);
-  const auto finer = bounds::run(refined(everything(4), scene::Strategy::none, 1));
+  const auto finer = bounds::run(refined(everything(tests::sanitized ? 3 : 4), scene::Strategy::none, 1));
   expect_sound(finer);
   EXPECT_LE(std::max(lower, finer.lower), std::min(upper, finer.upper));
 }

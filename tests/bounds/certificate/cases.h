@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 /// Small scenes that a judge in rational arithmetic can follow, each with something of its own.
@@ -19,12 +20,8 @@ struct Case {
 std::vector<Case> cases();
 
 /// Exact arithmetic is slow where addresses are looked at: there one scene in five, with degrees and kinds in turn,
-/// goes the same ways. Release has all.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int one_in = 5;
-#else
-constexpr int one_in = 1;
-#endif
+/// goes the same ways.
+constexpr int one_in = sanitized ? 5 : 1;
 
 /// A block whose prescribed end just touches the wall.
 scene::Scene<2> touching_end(double down);

@@ -7,6 +7,7 @@
 #include "tests/bounds/certificate/exact_scenes.h"
 #include "tests/bounds/certificate/judge.h"
 #include "tests/bounds/certificate/noise.h"
+#include "tests/support/sanitized.h"
 
 /// The certificate of fields that no solver gave: it holds, or there is none.
 namespace bracket::bounds {
@@ -84,8 +85,10 @@ TEST(Sabotage, garbage_gives_a_wide_interval_or_a_reason) {
 
 TEST(Sabotage, spoilt_fields_are_admissible_exactly) {
   std::mt19937 generator(4);
+  int seen = 0;
   for (const auto& [problem, energy] : problems())
     for (const int degree : {1, 2, 3, 4}) {
+      if (++seen % (tests::sanitized ? 5 : 1) != 0) continue;  // each degree, each on another problem
       const auto [u, stress] = solved(problem, degree);
       const auto noisy_u = tests::noisy(u, 1, 1e-3, generator);
       const auto noisy_stress = tests::noisy(stress, 1, 1e-3, generator);
