@@ -65,14 +65,18 @@ double largest_below_zero(const std::array<double, 6>& psi) {
   return std::max(0.0, -least);
 }
 
+}  // namespace
+
 /// What is carried from level to level.
-template <int dim> struct Judge {
+template <int dim> struct FieldJudge {
   const scene::Scene<dim>& scene;
   const scene::Displacement<dim>& given;
   GivenEnergyOf<dim> energy;
   Functionals<dim> contact_work;  ///< J = −∫ p ψ_x, ψ_x = g − r(u_x)
   Learned learned = {};
 };
+
+namespace {
 
 /// What solves perturbed problems on the mesh of an outcome.
 template <int dim> Solvers<dim> solvers_of(const scene::Scene<dim>& scene, const Outcome<dim>& outcome) {
@@ -88,7 +92,7 @@ template <int dim> Solvers<dim> solvers_of(const scene::Scene<dim>& scene, const
 }
 
 /// Bounds of J on a solved level.
-template <int dim> ErrorInterval contact_work(Judge<dim>& judge, const Outcome<dim>& outcome) {
+template <int dim> ErrorInterval contact_work(FieldJudge<dim>& judge, const Outcome<dim>& outcome) {
   const auto is_zero = [](const auto& psi) { return psi == scene::FacetQuadratic<dim>{}; };
   if (std::ranges::all_of(judge.energy.below, is_zero) && std::ranges::all_of(judge.energy.above, is_zero))
     return {0, 0};  // also without contact
@@ -103,7 +107,7 @@ template <int dim> ErrorInterval contact_work(Judge<dim>& judge, const Outcome<d
   return result;
 }
 
-template <int dim> ErrorInterval by_energy(Judge<dim>& judge, const Outcome<dim>& outcome) {
+template <int dim> ErrorInterval by_energy(FieldJudge<dim>& judge, const Outcome<dim>& outcome) {
   const ErrorInterval work = contact_work(judge, outcome);
   if (!std::isfinite(work.lower) || !std::isfinite(work.upper)) return {};
   const Enclosure two(2), none(0), most(judge.energy.upper);
@@ -211,8 +215,8 @@ AssessmentOf<dim> assess(const scene::Scene<dim>& asked, scene::FieldOnSceneOf<d
   const GivenEnergyOf<dim> energy = certify_given(field.problem, field.given.displacement);
   if (!energy.valid) throw scene::Error(scene::Status::not_guaranteed, energy.reason);
   AssessmentOf<dim> result = begun(std::move(field), energy);
-  Judge<dim> judge{scene, result.field.given.displacement, energy,
-                   contact_work_functionals(result.field.problem, energy.below, energy.above)};
+  FieldJudge<dim> judge{scene, result.field.given.displacement, energy,
+                        contact_work_functionals(result.field.problem, energy.below, energy.above)};
 
   std::stop_source done;
   const std::stop_callback passed_on(observer.stop, [&] { done.request_stop(); });
