@@ -38,7 +38,8 @@ template <int dim> TwofoldVector<dim> difference(const Vector<dim>& a, const Vec
 /// there in pairs, too, by which J is of r and v_t (scene/problem/law.h).
 template <int dim> struct Perturbation {
   struct Facet {
-    /// At the vertices, but on Γ_u: force per area, and in addition a pressure that acts against the facet's own normal.
+    /// At the vertices, but on Γ_u: force per area, and in addition a pressure that acts against the facet's own
+    /// normal.
     std::array<TwofoldVector<dim>, dim> traction = at_vertices<dim>(TwofoldVector<dim>{});
     std::array<double, dim> pressure = at_vertices<dim>(0.0);
     /// What is not linear of both, as FacetData has it.
