@@ -235,9 +235,11 @@ TEST(PerturbedInSpace, AddsMultiplesOfItsData) {
     EXPECT_NEAR(pair.lower[i], pair.upper[i], 2 * eps);
   }
   const Vector<3>& d = moved.facets[pair.first].normal;
+  const auto own = [](int vertex) { return Vector<3>(vertex == 1 ? Vector<3>(0.5, 1, 1.5) : Vector<3>(0, 0, 0)); };
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(moved.facets[pair.first].traction[i], Vector<3>(0.5 * (i + 1) * d));
-    EXPECT_EQ(moved.facets[pair.second].traction[pair.meets[i]], Vector<3>(-0.5 * (i + 1) * d));
+    const int across = pair.meets[i];
+    EXPECT_EQ(moved.facets[pair.first].traction[i], own(i) + 0.5 * (i + 1) * d);
+    EXPECT_EQ(moved.facets[pair.second].traction[across], own(across) - 0.5 * (i + 1) * d);
   }
   EXPECT_EQ(moved.contact[1].lower, problem.contact[1].lower);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
