@@ -62,7 +62,7 @@ TEST(DataInSpace, what_is_left_out_of_a_displacement_refines_the_first_mesh) {
                      }),
                      0.0},
                     ""}}};
-    s.refine = {.strategy = strategy, .target = 0.3, .max_levels = 1};
+    s.refine = {.strategy = strategy, .target = 0.6, .max_levels = 1};
     return s;
   };
   const auto left = bounds::run(sine(2, scene::Strategy::none)),
