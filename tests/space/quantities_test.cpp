@@ -67,6 +67,7 @@ TEST(QuantitiesInSpace, of_a_linear_pressure_are_exact) {
       {stress("upper", StressComponent::yy), 0, 1e-8},
       {quantity(QuantityKind::opening, "upper.back"), 0, 1e-6},
       {quantity(QuantityKind::energy, ""), 3.3125, 1e-8}};
+  // On the first mesh alone rounding leaves a little more.
   if (levels > 1) known.push_back({along(quantity(QuantityKind::body, "lower"), 0, 0, 1), -0.5, 1e-8});
   expect_inside(linear_pressure(2, 0.3), known, uniform, levels);
 }
