@@ -110,7 +110,7 @@ scene::Scene<3> something(int n, unsigned seed) {
 // Each is an interval around one number, on whatever mesh; where its weight falls to zero over the faces of the first
 // mesh, on those that begin with the same.
 TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
-  constexpr unsigned seeds = tests::sanitized ? 2 : 4, enough = tests::sanitized ? 0 : 12;
+  constexpr unsigned seeds = tests::sanitized ? 2 : 4;
   unsigned narrow = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     std::mt19937 generator(seed);
@@ -137,7 +137,9 @@ TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
       narrow += upper - lower < 0.2 * std::max(std::abs(lower), std::abs(upper));
     }
   }
-  EXPECT_GE(narrow, enough);
+  if (!tests::sanitized) {  // there the meshes are coarse
+    EXPECT_GE(narrow, 12U);
+  }
 }
 
 // The problems with data added, loads on contact faces among them, have both formulations and the gap identity.
