@@ -2,23 +2,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "scene/fault.h"
 #include "scene/fields.h"
 #include "scene/mesh/topology.h"
-#include "scene/problem/gap.h"
-#include "scene/problem/given_gap.h"
-#include "scene/problem/law.h"
+#include "scene/problem/fix_gaps.h"
 #include "scene/problem/laws.h"
 #include "scene/problem/matching.h"
 #include "scene/problem/normals.h"
 #include "scene/problem/notes.h"
 #include "scene/problem/projection.h"
 #include "scene/problem/sides.h"
-#include "scene/problem/space/face_gap.h"
 #include "scene/problem/space/face_values.h"
-#include "scene/problem/support.h"
 #include "scene/range.h"
 #include "scene/text.h"
 
@@ -56,17 +51,6 @@ template <int dim> std::vector<const Condition<dim>*> conditions_of(const Scene<
   }
   return conditions;
 }
-
-/// Largest error and largest value over facets.
-struct Extent {
-  double error = 0, largest = 0;
-
-  template <class Values> void include(const Values& values) {
-    error = std::max(error, values.error);
-    largest = std::max(largest, values.largest);
-  }
-  double relative() const { return largest > 0 ? error / largest : 0; }
-};
 
 template <int dim> struct FixedFacets {
   std::vector<FacetData<dim>> facets;
@@ -150,135 +134,6 @@ FixedFacets<dim> fix_facets(const Scene<dim>& scene, const Mesh<dim>& mesh,
     }
   }
   return fixed;
-}
-
-/// Of the values of a gap or slip at the ends and the midpoint: Bernstein coefficients.
-std::array<double, 3> coefficients(const FacetValues<3>& values) {
-  const auto& [start, end, middle] = values.value;
-  return {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
-}
-
-/// What friction does not see of the slip, where a jump is prescribed: a quadratic on the facet, by coefficients that
-/// are the data from here on, as prescribed displacements are.
-void fix_jump(const ContactPair<2>& pair, const Vector<2>& a, const Vector<2>& b, const Vector<2>& d,
-              ContactFacet& facet, Extent& extent) {
-  const std::optional<Function<2>> along = given_slip(pair, d);
-  if (!along || !has_friction(facet.law)) return;
-  if (const auto bounds = along->is_enclosed() ? quadratic_gap(*along, a, b) : std::nullopt) {
-    for (int i = 0; i < 3; ++i) facet.slip[i] = 0.5 * bounds->lower[i] + 0.5 * bounds->upper[i];
-    return;
-  }
-  const FacetValues<3> values = interpolate_quadratic(*along, a, b, pair.where);
-  facet.slip = coefficients(values);
-  extent.include(values);
-}
-
-/// Whether displacements are to have the gap, r = g, on the whole facet, and can have linear ones only.
-template <int dim> bool is_kept_linear(const ContactFacetOf<dim>& facet, int degree) {
-  return facet.law.two_sided && !has_springs(facet.law) && degree == 1;
-}
-
-/// Whether a function between these bounds of its coefficients may be linear.
-bool may_be_linear(const GapBounds& bounds) {
-  const auto& [lower, upper] = bounds;
-  return 2 * lower[1] <= upper[0] + upper[2] && 2 * upper[1] >= lower[0] + lower[2];
-}
-bool may_be_linear(const FaceGapBounds& bounds) {
-  const auto& [lower, upper] = bounds;
-  for (int e = 0; e < 3; ++e) {
-    const auto& [i, k] = Simplex<2>::edges[e];
-    if (2 * lower[3 + e] > upper[i] + upper[k] || 2 * upper[3 + e] < lower[i] + lower[k]) return false;
-  }
-  return true;
-}
-
-/// The linear function with the values at the vertices, in place of a quadratic one.
-FacetValues<3> interpolated_linear(const Function<2>& gap, const std::array<Vector<2>, 2>& x,
-                                   const std::string& where) {
-  const auto& [value, error, largest] = interpolate_linear(gap, x[0], x[1], where);
-  return {{value[0], value[1], 0.5 * value[0] + 0.5 * value[1]}, error, largest};
-}
-FacetValues<6> interpolated_linear(const Function<3>& gap, const Face& x, const std::string& where) {
-  const auto& [value, error, largest] = interpolate_linear(gap, x, where);
-  FacetValues<6> result{{value[0], value[1], value[2]}, error, largest};
-  for (int e = 0; e < 3; ++e) {
-    const auto& [i, k] = Simplex<2>::edges[e];
-    result.value[3 + e] = 0.5 * value[i] + 0.5 * value[k];
-  }
-  return result;
-}
-
-/// Fills in the gaps of the contact.
-Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
-  Extent gap;
-  problem.gaps.resize(problem.contact.size());
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacet& facet = problem.contact[i];
-    const ContactPair<2>& pair = scene.contact[facet.pair];
-    const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    const Vector<2>& d = problem.facets[facet.first].normal;
-    fix_jump(pair, a, b, d, facet, gap);
-    const std::optional<Function<2>> given = given_gap(pair, d);
-    const bool linear = is_kept_linear(facet, scene.solve.degree);
-    const auto quadratic = given && given->is_enclosed() ? quadratic_gap(*given, a, b) : std::nullopt;
-    if (quadratic && !(linear && !may_be_linear(*quadratic))) {
-      facet.lower = quadratic->lower;
-      facet.upper = quadratic->upper;
-    } else if (given && given->is_enclosed() && !facet.law.two_sided) {
-      problem.gaps[i].function = *given;
-      problem.gaps[i].where = pair.where;
-    } else {
-      const FacetValues<3> values = !given   ? drawn_gap(scene, problem, facet)
-                                    : linear ? interpolated_linear(*given, {a, b}, pair.where)
-                                             : interpolate_quadratic(*given, a, b, pair.where);
-      facet.lower = facet.upper = coefficients(values);
-      gap.include(values);
-    }
-  }
-  gap.error = std::max(gap.error, make_room(problem));
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacet& facet = problem.contact[i];
-    if (problem.gaps[i].function)
-      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<1>(0));
-    for (const std::array<double, 3>& c : {facet.lower, facet.upper})
-      for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
-  }
-  return gap;
-}
-
-/// The same in space.
-Extent fix_gaps(const Scene<3>& scene, Problem<3>& problem) {
-  Extent gap;
-  problem.gaps.resize(problem.contact.size());
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacetOf<3>& facet = problem.contact[i];
-    const ContactPair<3>& pair = scene.contact[facet.pair];
-    const Face face = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    const bool linear = is_kept_linear(facet, scene.solve.degree);
-    const auto quadratic = pair.gap && pair.gap->is_enclosed() ? quadratic_gap(*pair.gap, face) : std::nullopt;
-    if (quadratic && !(linear && !may_be_linear(*quadratic))) {
-      facet.lower = quadratic->lower;
-      facet.upper = quadratic->upper;
-    } else if (pair.gap && pair.gap->is_enclosed() && !facet.law.two_sided) {
-      problem.gaps[i].function = *pair.gap;
-      problem.gaps[i].where = pair.where;
-    } else {
-      const FacetValues<6> values = !pair.gap ? drawn_gap(scene, problem, facet)
-                                    : linear  ? interpolated_linear(*pair.gap, face, pair.where)
-                                              : interpolate_quadratic(*pair.gap, face, pair.where);
-      facet.lower = facet.upper = values.value;
-      gap.include(values);
-    }
-  }
-  gap.error = std::max(gap.error, make_room(problem));
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacetOf<3>& facet = problem.contact[i];
-    if (problem.gaps[i].function)
-      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<2>(0));
-    for (const FacetQuadratic<3>& c : {facet.lower, facet.upper})
-      for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
-  }
-  return gap;
 }
 
 template <int dim> bool samples(const Scene<dim>& scene) {
