@@ -268,7 +268,7 @@ Bodies Bodies::with_rows(std::vector<Sparse> rows, Sparse added) const {
     if (!std::includes(last.begin(), last.end(), touched.begin(), touched.end()))
       throw std::invalid_argument("contact::Bodies::with_rows: a row touches an unknown that no row touched before");
   }
-  WithRows made{elastic, std::move(rows), true, std::move(added), {}, {}, with_rows_->seconds};
+  WithRows made{elastic, std::move(rows), true, added, {}, {}, with_rows_->seconds};
   made.statics = statics(made.rows, elastic->bases);
   if (elastic->not_definite < 0) made.compliance = compliance_of(made.rows, elastic->condensed, made.added);
   made.seconds.contact = watch.lap();

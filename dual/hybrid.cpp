@@ -14,7 +14,6 @@ namespace bracket::dual {
 namespace {
 
 using scene::Problem;
-using scene::Support;
 using scene::Vector;
 
 /// The loads on the edge displacements of each body: ∫ P·μ.

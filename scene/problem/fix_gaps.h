@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/problem/problem.h"
+#include "scene/scene.h"
 
 namespace bracket::scene {
 
