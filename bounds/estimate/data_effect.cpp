@@ -1,7 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "bounds/estimate/left_out.h"
 #include "bounds/estimate/on_mesh.h"
@@ -82,7 +81,7 @@ double effect_of_displacement(const Panels<dim>& panels, double size, const std:
 
 /// Component c of the data on a facet, as they were fixed.
 template <int dim> Fixed<dim> fixed_on_facet(const scene::FacetData<dim>& data, scene::ConditionKind kind, int c) {
-  std::array<double, dim> at_vertices;
+  std::array<double, dim> at_vertices{};
   for (int i = 0; i < dim; ++i) switch (kind) {
       case scene::ConditionKind::fixed: at_vertices[i] = data.displacement[i][c]; break;
       case scene::ConditionKind::sliding: at_vertices[i] = data.normal_displacement[i]; break;
@@ -164,16 +163,11 @@ double stiffness_of_sides(const scene::Problem<dim>& problem, const scene::Conta
   return pair.second == -1 ? first : std::min(first, stiffness_at(problem, pair.second));
 }
 
-std::optional<scene::Function<2>> gap_on(const scene::ContactPair<2>& given, const Vector<2>& d) {
-  return given_gap(given, d);
-}
-std::optional<scene::Function<3>> gap_on(const scene::ContactPair<3>& given, const Vector<3>&) { return given.gap; }
-
 /// Of a gap that is sampled, or of sides that do not lift off: of these both bodies follow what is left out.
 template <int dim>
 double effect_of_gap(const scene::ContactPair<dim>& given, const scene::Problem<dim>& problem,
                      const scene::ContactFacetOf<dim>& pair, const std::vector<double>& pressure) {
-  const auto gap = gap_on(given, problem.facets[pair.first].normal);
+  const auto gap = given_gap(given, problem.facets[pair.first].normal);
   if (!gap || (gap->is_enclosed() && !pair.law.two_sided)) return 0;
   const double stiffness = pair.law.two_sided ? stiffness_of_sides<dim>(problem, pair) : 0;
   return effect_of_quadratic<dim>(*gap, problem, pair, pair.upper, pressure, stiffness);

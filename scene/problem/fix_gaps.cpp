@@ -21,6 +21,9 @@ std::array<double, 3> coefficients(const FacetValues<3>& values) {
   return {start, middle + 0.5 * ((middle - start) + (middle - end)), end};
 }
 
+/// In space they are these already.
+std::array<double, 6> coefficients(const FacetValues<6>& values) { return values.value; }
+
 /// What friction does not see of the slip, where a jump is prescribed: a quadratic on the facet, by coefficients that
 /// are the data from here on, as prescribed displacements are.
 void fix_jump(const ContactPair<2>& pair, const Vector<2>& a, const Vector<2>& b, const Vector<2>& d,
@@ -71,20 +74,33 @@ FacetValues<6> interpolated_linear(const Function<3>& gap, const Face& x, const 
   return result;
 }
 
+// On an edge and on a face alike.
+std::optional<GapBounds> quadratic_on(const Function<2>& gap, const std::array<Vector<2>, 2>& x) {
+  return quadratic_gap(gap, x[0], x[1]);
+}
+std::optional<FaceGapBounds> quadratic_on(const Function<3>& gap, const Face& x) { return quadratic_gap(gap, x); }
+FacetValues<3> interpolated_quadratic(const Function<2>& gap, const std::array<Vector<2>, 2>& x,
+                                      const std::string& where) {
+  return interpolate_quadratic(gap, x[0], x[1], where);
+}
+FacetValues<6> interpolated_quadratic(const Function<3>& gap, const Face& x, const std::string& where) {
+  return interpolate_quadratic(gap, x, where);
+}
+
 }  // namespace
 
-Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
+template <int dim> Extent fix_gaps(const Scene<dim>& scene, Problem<dim>& problem) {
   Extent gap;
   problem.gaps.resize(problem.contact.size());
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacet& facet = problem.contact[i];
-    const ContactPair<2>& pair = scene.contact[facet.pair];
-    const auto [a, b] = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    const Vector<2>& d = problem.facets[facet.first].normal;
-    fix_jump(pair, a, b, d, facet, gap);
-    const std::optional<Function<2>> given = given_gap(pair, d);
+    ContactFacetOf<dim>& facet = problem.contact[i];
+    const ContactPair<dim>& pair = scene.contact[facet.pair];
+    const auto x = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
+    const Vector<dim>& d = problem.facets[facet.first].normal;
+    if constexpr (dim == 2) fix_jump(pair, x[0], x[1], d, facet, gap);
+    const std::optional<Function<dim>> given = given_gap(pair, d);
     const bool linear = is_kept_linear(facet, scene.solve.degree);
-    const auto quadratic = given && given->is_enclosed() ? quadratic_gap(*given, a, b) : std::nullopt;
+    const auto quadratic = given && given->is_enclosed() ? quadratic_on(*given, x) : std::nullopt;
     if (quadratic && !(linear && !may_be_linear(*quadratic))) {
       facet.lower = quadratic->lower;
       facet.upper = quadratic->upper;
@@ -92,56 +108,25 @@ Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem) {
       problem.gaps[i].function = *given;
       problem.gaps[i].where = pair.where;
     } else {
-      const FacetValues<3> values = !given   ? drawn_gap(scene, problem, facet)
-                                    : linear ? interpolated_linear(*given, {a, b}, pair.where)
-                                             : interpolate_quadratic(*given, a, b, pair.where);
+      const auto values = !given   ? drawn_gap(scene, problem, facet)
+                          : linear ? interpolated_linear(*given, x, pair.where)
+                                   : interpolated_quadratic(*given, x, pair.where);
       facet.lower = facet.upper = coefficients(values);
       gap.include(values);
     }
   }
   gap.error = std::max(gap.error, make_room(problem));
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacet& facet = problem.contact[i];
+    ContactFacetOf<dim>& facet = problem.contact[i];
     if (problem.gaps[i].function)
-      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<1>(0));
-    for (const std::array<double, 3>& c : {facet.lower, facet.upper})
+      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<dim - 1>(0));
+    for (const FacetQuadratic<dim>& c : {facet.lower, facet.upper})
       for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
   }
   return gap;
 }
 
-Extent fix_gaps(const Scene<3>& scene, Problem<3>& problem) {
-  Extent gap;
-  problem.gaps.resize(problem.contact.size());
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacetOf<3>& facet = problem.contact[i];
-    const ContactPair<3>& pair = scene.contact[facet.pair];
-    const Face face = positions(problem.mesh, problem.mesh.boundary[facet.first].vertices);
-    const bool linear = is_kept_linear(facet, scene.solve.degree);
-    const auto quadratic = pair.gap && pair.gap->is_enclosed() ? quadratic_gap(*pair.gap, face) : std::nullopt;
-    if (quadratic && !(linear && !may_be_linear(*quadratic))) {
-      facet.lower = quadratic->lower;
-      facet.upper = quadratic->upper;
-    } else if (pair.gap && pair.gap->is_enclosed() && !facet.law.two_sided) {
-      problem.gaps[i].function = *pair.gap;
-      problem.gaps[i].where = pair.where;
-    } else {
-      const FacetValues<6> values = !pair.gap ? drawn_gap(scene, problem, facet)
-                                    : linear  ? interpolated_linear(*pair.gap, face, pair.where)
-                                              : interpolate_quadratic(*pair.gap, face, pair.where);
-      facet.lower = facet.upper = values.value;
-      gap.include(values);
-    }
-  }
-  gap.error = std::max(gap.error, make_room(problem));
-  for (std::size_t i = 0; i < problem.contact.size(); ++i) {
-    ContactFacetOf<3>& facet = problem.contact[i];
-    if (problem.gaps[i].function)
-      facet = on_piece(problem, static_cast<int>(i), facet.first, facet.second, whole<2>(0));
-    for (const FacetQuadratic<3>& c : {facet.lower, facet.upper})
-      for (const double value : c) gap.largest = std::max(gap.largest, std::abs(value));
-  }
-  return gap;
-}
+template Extent fix_gaps(const Scene<2>&, Problem<2>&);
+template Extent fix_gaps(const Scene<3>&, Problem<3>&);
 
 }  // namespace bracket::scene

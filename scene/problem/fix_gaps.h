@@ -22,7 +22,6 @@ struct Extent {
 /// Fills in the gaps of the contact on the first mesh, and what friction does not see of the slip (docs/theory.md §2,
 /// §11). \return how far what is interpolated is from what is given, and what was changed to make room for supports
 /// \pre everything else is fixed   \throw Error (input) where a function has no finite value
-Extent fix_gaps(const Scene<2>& scene, Problem<2>& problem);
-Extent fix_gaps(const Scene<3>& scene, Problem<3>& problem);
+template <int dim> Extent fix_gaps(const Scene<dim>& scene, Problem<dim>& problem);
 
 }  // namespace bracket::scene

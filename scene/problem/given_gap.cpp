@@ -25,6 +25,8 @@ std::optional<Function<2>> given_gap(const ContactPair<2>& pair, const Vector<2>
   return {};
 }
 
+std::optional<Function<3>> given_gap(const ContactPair<3>& pair, const Vector<3>&) { return pair.gap; }
+
 std::optional<Function<2>> given_slip(const ContactPair<2>& pair, const Vector<2>& d) {
   if (!pair.jump) return {};
   return component(*pair.jump, tangent(d));

@@ -21,8 +21,8 @@ void expect_inside(const scene::Scene<3>& scene, const std::vector<Exact>& known
   tests::expect_inside(outcome_of(scene, tests::quantities_of(known), refine), known, levels);
 }
 
-constexpr int levels = tests::sanitized ? 1 : 2;
-const scene::Refine uniform = {.strategy = scene::Strategy::uniform, .max_levels = levels};
+constexpr int exact_levels = tests::sanitized ? 1 : 2;
+const scene::Refine uniform = {.strategy = scene::Strategy::uniform, .max_levels = exact_levels};
 
 template <class F> Function of(F f) { return scene::enclosed<3>(f); }
 
@@ -43,7 +43,7 @@ TEST(QuantitiesInSpace, of_a_patch_are_exact) {
                    {stress("upper", StressComponent::mean), -1e4 / 3, 1e-4},
                    {quantity(QuantityKind::opening, "upper.back"), 0, 1e-8},
                    {quantity(QuantityKind::energy, ""), 50, 1e-6}},
-                  uniform, levels);
+                  uniform, exact_levels);
   }
 }
 
@@ -68,8 +68,8 @@ TEST(QuantitiesInSpace, of_a_linear_pressure_are_exact) {
       {quantity(QuantityKind::opening, "upper.back"), 0, 1e-6},
       {quantity(QuantityKind::energy, ""), 3.3125, 1e-8}};
   // On the first mesh alone rounding leaves a little more.
-  if (levels > 1) known.push_back({along(quantity(QuantityKind::body, "lower"), 0, 0, 1), -0.5, 1e-8});
-  expect_inside(linear_pressure(2, 0.3), known, uniform, levels);
+  if (exact_levels > 1) known.push_back({along(quantity(QuantityKind::body, "lower"), 0, 0, 1), -0.5, 1e-8});
+  expect_inside(linear_pressure(2, 0.3), known, uniform, exact_levels);
 }
 
 // A block that hangs from its top and does not reach the wall: the mean opening is the gap less what it sinks, ½ w.
@@ -89,7 +89,7 @@ TEST(QuantitiesInSpace, of_what_does_not_touch) {
        {quantity(QuantityKind::force, "block.back"), 0, 1e-6},
        {along(quantity(QuantityKind::reaction, "block.front"), 0, 0, 1), 0.25, 1e-8},
        {quantity(QuantityKind::energy, ""), 0.125 * 0.125 / 3, 1e-3}},
-      uniform, levels);
+      uniform, exact_levels);
 }
 
 }  // namespace
