@@ -12,6 +12,8 @@ function(bracket_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/bracket> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(bracket_${name} PUBLIC cxx_std_20)
+  # Its functions call its own copies of templates, never those of a program with other flags.
+  target_link_options(bracket_${name} PRIVATE -Wl,-Bsymbolic-functions)
   target_precompile_headers(bracket_${name} REUSE_FROM bracket_precompiled)
   target_compile_definitions(bracket_${name} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
   set_target_properties(bracket_${name} PROPERTIES

@@ -2,8 +2,9 @@
 # Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 # sh tests/run.sh: installs what is missing, builds and runs all tests in two configurations:
 #   release  what users run: optimized, without assertions; all tests, with the program and the installed package
-#   asan     Debug with the address and undefined-behaviour sanitizers: assert, the assertions of the standard library
-#            and those of deal.II, whose debug library it links; all tests but those of the program
+#   asan     the libraries as Debug with the address and undefined-behaviour sanitizers: assert, the assertions of the
+#            standard library and those of deal.II, whose debug library makes the reference elements; the tests of
+#            libraries again, by release's programs, which are compiled once and assert in both
 # The preset debug is asan without sanitizers, for debuggers: it checks nothing more and is not run here.
 # Before, that every file is formatted. Ends with the count of GoogleTest's cases over both.
 set -eu

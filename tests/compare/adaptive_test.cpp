@@ -4,6 +4,7 @@
 #include "tests/compare/admissible.h"
 #include "tests/compare/exact.h"
 #include "tests/compare/scene_files.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
@@ -30,7 +31,10 @@ bounds::Outcome<2> refined(scene::Scene<2> scene, int degree, int max_cells) {
   return bounds::run(scene);
 }
 
-TEST(Adaptive, lift_off_reaches_the_full_order_of_quadratics) {
+using Adaptive = Long;
+using Effectivity = Long;
+
+TEST_F(Adaptive, lift_off_reaches_the_full_order_of_quadratics) {
   const auto outcome = refined(two_blocks(4), 2, 40000);
   expect_admissible(outcome);
   for (const auto& level : outcome.levels) {
@@ -41,7 +45,7 @@ TEST(Adaptive, lift_off_reaches_the_full_order_of_quadratics) {
   EXPECT_LE(slope(refined(two_blocks(4), 1, 20000).levels, 1000, 20000), -0.95);
 }
 
-TEST(Adaptive, other_singular_scenes_reach_it_too) {
+TEST_F(Adaptive, other_singular_scenes_reach_it_too) {
   // From 4000 cells on: their coarse meshes are fine where nothing happens, and refining the corners alone is steeper.
   for (const char* name : {"l_shape", "three_halves"}) {
     const auto outcome = refined(from_file(name), 2, 30000);
@@ -50,7 +54,7 @@ TEST(Adaptive, other_singular_scenes_reach_it_too) {
   }
 }
 
-TEST(Adaptive, every_level_contains_the_exact_energy) {
+TEST_F(Adaptive, every_level_contains_the_exact_energy) {
   const double exact = three_halves_energy(1, 0.3);
   for (const int degree : {1, 2}) {
     const auto outcome = refined(from_file("three_halves"), degree, 5000);
@@ -61,7 +65,7 @@ TEST(Adaptive, every_level_contains_the_exact_energy) {
   }
 }
 
-TEST(Effectivity, is_one_without_contact) {
+TEST_F(Effectivity, is_one_without_contact) {
   // Prager and Synge: ‖u − u_h‖² + ‖σ − λ_h‖² = ‖σ(u_h) − λ_h‖² = 2 width, and without contact each field's error is
   // twice the distance of its energy to the exact one.
   for (const int degree : {1, 2}) {
@@ -91,7 +95,7 @@ template <class Function> double integral(const Function& f) {
 // With contact the square of the bound has two more terms than the errors [docs/theory.md §1.3]:
 //     2 width = ‖u − u_h‖² + ‖σ − λ_h‖² + 2 ∫ p (g − r_h) + 2 ∫ p_h (g − r).
 // On three_halves.toml p = √|x| where x < 0, and where x > 0 the gap left is 4 (1 − ν²)/(3 E) x^(3/2).
-TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it) {
+TEST_F(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it) {
   const double exact = three_halves_energy(1, 0.3);
   auto file = from_file("three_halves");
   // The tractions, linear on each edge of this mesh, shift the energy by less than the widths.
@@ -130,7 +134,7 @@ TEST(Effectivity, is_at_least_one_with_a_free_contact_boundary_and_stays_near_it
 
 // The re-entrant corner is the middle of the body, where cells become the smallest: balance is not handed on through
 // them. Each edge there has 2⁻¹⁵ of the largest's length; what is left is rounding of stresses.
-TEST(Adaptive, a_corner_costs_the_certificate_nothing_but_rounding) {
+TEST_F(Adaptive, a_corner_costs_the_certificate_nothing_but_rounding) {
   scene::Scene<2> s = from_file("l_shape");
   s.solve.degree = 3;
   s.refine = {.strategy = scene::Strategy::adaptive, .bulk = 0.8, .max_levels = 20, .max_cells = 10000};

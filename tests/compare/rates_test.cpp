@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/compare/admissible.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenes.h"
 
 namespace bracket::tests {
@@ -24,7 +25,9 @@ std::vector<double> orders(const std::function<scene::Scene<2>(int)>& scene, int
   return orders;
 }
 
-TEST(Rates, smooth_scene_is_bracketed) {
+using Rates = Long;
+
+TEST_F(Rates, smooth_scene_is_bracketed) {
   for (const int n : {1, 2, 8}) {
     const auto outcome = bounds::run(smooth(n));
     expect_admissible(outcome);
@@ -32,15 +35,15 @@ TEST(Rates, smooth_scene_is_bracketed) {
   }
 }
 
-TEST(Rates, smooth_scene_linears) {
+TEST_F(Rates, smooth_scene_linears) {
   for (const double order : orders(smooth, 1, {4, 8, 16, 32})) EXPECT_NEAR(order, 2, 0.1);
 }
 
-TEST(Rates, smooth_scene_quadratics) {
+TEST_F(Rates, smooth_scene_quadratics) {
   for (const double order : orders(smooth, 2, {4, 8, 16, 32})) EXPECT_NEAR(order, 4, 0.1);
 }
 
-TEST(Rates, lift_off_is_limited_by_its_singularities) {
+TEST_F(Rates, lift_off_is_limited_by_its_singularities) {
   // Corners and the ends of the contact leave the quadratics a width of order h² under uniform refinement, and the
   // linears a little less: their own h² stands beside the singular part.
   const auto lift_off = [](int n) { return two_blocks(n); };

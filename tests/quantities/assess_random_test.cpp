@@ -7,6 +7,7 @@
 #include "primal/primal.h"
 #include "tests/support/random_grid.h"
 #include "tests/support/random_scenes.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket::tests {
 namespace {
@@ -27,8 +28,10 @@ scene::Displacement<2> with_noise(const scene::Problem<2>& problem, scene::Displ
   return u;
 }
 
+using AssessRandom = Long;
+
 // A contradiction of levels, or of the two kinds of bounds, ends without a guarantee.
-TEST(AssessRandom, intervals_never_exclude_each_other) {
+TEST_F(AssessRandom, intervals_never_exclude_each_other) {
   int judged = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const RandomScene of = random_scene(seed);

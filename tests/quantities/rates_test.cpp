@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/quantities/asked.h"
+#include "tests/support/sanitized.h"
 
 // How fast widths fall (docs/theory.md §10.2), on the two blocks of §9.2.
 namespace bracket::tests {
@@ -37,22 +38,25 @@ Rate rate_of(double pull) {
   return rate;
 }
 
+using OpenContact = Long;
+using QuantityRates = Long;
+
 // A free contact boundary moves: the order is about ⅔ in the energy's width.
-TEST(QuantityRates, with_lift_off) {
+TEST_F(QuantityRates, with_lift_off) {
   const Rate rate = rate_of(0.09);
   EXPECT_GE(rate.order, 0.6);
   EXPECT_LE(rate.width * std::pow(rate.cells / 1700.0, 4.0 / 3), 1.2e-4) << rate.cells;
 }
 
 // A closed contact does not: the order is that of the energy.
-TEST(QuantityRates, with_closed_contact) {
+TEST_F(QuantityRates, with_closed_contact) {
   const Rate rate = rate_of(0.02);
   EXPECT_GE(rate.order, 0.95);
   EXPECT_LE(rate.width * std::pow(rate.cells / 1700.0, 2.0), 3e-6) << rate.cells;
 }
 
 // Right of the middle the contact is open. By the gap that is left there the force is at most 0.3 % of all, guaranteed.
-TEST(OpenContact, carries_little) {
+TEST_F(OpenContact, carries_little) {
   auto force = quantity(QuantityKind::force, "upper.bottom");
   force.stretch = scene::LineStretch{0, 0.5};  // from the right end
   const auto outcome =

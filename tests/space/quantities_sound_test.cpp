@@ -46,7 +46,7 @@ TEST(QuantitiesInSpace, of_an_extruded_scene_meet_those_of_the_plane) {
     of_space.push_back(one);
     plane.quantities.push_back(in_plane(one));
   }
-  constexpr int levels = tests::sanitized ? 2 : 3;
+  const int levels = tests::sanitized ? 2 : 3;
   plane.refine = {.strategy = scene::Strategy::adaptive, .max_cells = tests::sanitized ? 1000 : 4000};
   const auto known = bounds::run(plane);
   const auto found = outcome_of(two_blocks(2), of_space, {.strategy = scene::Strategy::adaptive, .max_levels = levels});
@@ -110,7 +110,7 @@ scene::Scene<3> something(int n, unsigned seed) {
 // Each is an interval around one number, on whatever mesh; where its weight falls to zero over the faces of the first
 // mesh, on those that begin with the same.
 TEST(QuantitiesInSpace, of_three_meshes_never_exclude_each_other) {
-  constexpr unsigned seeds = tests::sanitized ? 2 : 4;
+  const unsigned seeds = tests::sanitized ? 2 : 4;
   unsigned narrow = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     std::mt19937 generator(seed);

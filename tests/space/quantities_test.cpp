@@ -21,7 +21,7 @@ void expect_inside(const scene::Scene<3>& scene, const std::vector<Exact>& known
   tests::expect_inside(outcome_of(scene, tests::quantities_of(known), refine), known, levels);
 }
 
-constexpr int exact_levels = tests::sanitized ? 1 : 2;
+const int exact_levels = tests::sanitized ? 1 : 2;
 const scene::Refine uniform = {.strategy = scene::Strategy::uniform, .max_levels = exact_levels};
 
 template <class F> Function of(F f) { return scene::enclosed<3>(f); }

@@ -7,6 +7,7 @@
 #include "primal/primal.h"
 #include "tests/space/scenes.h"
 #include "tests/support/hybrid.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket {
 namespace {
@@ -38,7 +39,9 @@ Sharpness sharpness(const scene::Scene<3>& scene, int sweeps) {
   return result;
 }
 
-TEST(LocalInSpace, is_little_wider_than_the_best_after_one_sweep) {
+using LocalInSpace = tests::Long;
+
+TEST_F(LocalInSpace, is_little_wider_than_the_best_after_one_sweep) {
   struct Case {
     std::string name;
     scene::Scene<3> scene;
@@ -109,7 +112,7 @@ scene::Scene<3> plate_on_a_wall(double poisson) {
   return s;
 }
 
-TEST(LocalInSpace, ridges_unlike_moduli_and_flat_cells_cost_little_more) {
+TEST_F(LocalInSpace, ridges_unlike_moduli_and_flat_cells_cost_little_more) {
   struct Case {
     std::string name;
     scene::Scene<3> (*scene)(double poisson);

@@ -21,7 +21,7 @@ std::vector<Case> cases();
 
 /// Exact arithmetic is slow where addresses are looked at: there one scene in five, with degrees and kinds in turn,
 /// goes the same ways.
-constexpr int one_in = sanitized ? 5 : 1;
+inline const int one_in = sanitized ? 5 : 1;
 
 /// A block whose prescribed end just touches the wall.
 scene::Scene<2> touching_end(double down);

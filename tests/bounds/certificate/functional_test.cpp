@@ -80,7 +80,7 @@ std::vector<Quantity<2>> quantities() {
 }
 
 /// What each quantity is checked with: both bounds, both signs.
-constexpr int perturbations = tests::sanitized ? 1 : 4;
+const int perturbations = tests::sanitized ? 1 : 4;
 
 /// A problem with a perturbation of it, and fields for its sum with f times that.
 struct Posed {
