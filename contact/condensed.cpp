@@ -8,9 +8,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-VectorXd Condensed::apply(VectorXd force) const {
+VectorXd Condensed::forward(VectorXd force) const {
   force(pinned).setZero();
-  return factor.solve(force);
+  return factor.forward(force);
+}
+
+VectorXd Condensed::apply_with(VectorXd half, VectorXd further) const {
+  further(pinned).setZero();
+  return factor.backward(factor.plus_last(std::move(half), further));
 }
 
 Sparse pinned_stiffness(Sparse stiffness, const std::vector<int>& pinned) {

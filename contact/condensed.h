@@ -14,7 +14,11 @@ struct Condensed {
   std::vector<int> pinned;
   Factor factor;
 
-  Eigen::VectorXd apply(Eigen::VectorXd force) const;  ///< K⁺ f
+  Eigen::VectorXd apply(Eigen::VectorXd force) const { return factor.backward(forward(std::move(force))); }  ///< K⁺ f
+  /// Its first half, y: factor.backward(y) is K⁺ f, factor.backward_to_last(y) what contact sees of it.
+  Eigen::VectorXd forward(Eigen::VectorXd force) const;
+  /// K⁺ (f + h) from that of f, by one half. \param further h, zero where no contact row touches
+  Eigen::VectorXd apply_with(Eigen::VectorXd half, Eigen::VectorXd further) const;
 };
 
 /// K with the pinned unknowns cut off from the others (a diagonal entry is left to them).

@@ -24,17 +24,10 @@ using Eigen::VectorXd;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// K⁺ (f − Bᵀ p)
-VectorXd elastic_displacement(const Sparse& rows, const Condensed& condensed, const VectorXd& force,
-                              const VectorXd& pressure) {
-  return condensed.apply(force - rows.transpose() * pressure);
-}
-
-/// Σ B u
-VectorXd approach(const std::vector<Sparse>& rows, const std::vector<VectorXd>& displacement) {
-  VectorXd result = VectorXd::Zero(rows.front().rows());
-  for (std::size_t b = 0; b < rows.size(); ++b) result += rows[b] * displacement[b];
-  return result;
+/// K⁺ (f − Bᵀ p) \param half Condensed::forward() of f
+VectorXd elastic_displacement(const Sparse& rows, const Condensed& condensed, VectorXd half, const VectorXd& pressure) {
+  if (rows.nonZeros() == 0) return condensed.factor.backward(half);
+  return condensed.apply_with(std::move(half), -(rows.transpose() * pressure));
 }
 
 /// \param start p, limits those of the rows before they were scaled
@@ -119,21 +112,30 @@ struct Bodies::WithRows {
   const std::vector<System>& systems() const { return elastic->systems; }
   const std::vector<Motions>& bases() const { return elastic->bases; }
   const Condensed& condensed(std::size_t body) const { return elastic->condensed[body]; }
-  std::vector<VectorXd> unhindered(const std::vector<VectorXd>& loads) const;
-  Interface interface(const Given& given, const std::vector<VectorXd>& unhindered) const;
+  std::vector<VectorXd> halves(const std::vector<VectorXd>& loads) const;
+  VectorXd approach(const std::vector<VectorXd>& halves) const;
+  Interface interface(const Given& given, const std::vector<VectorXd>& halves) const;
   State refined(const Given& given, const Scaled& interface, const std::vector<Index>& active, State state) const;
   std::vector<VectorXd> displacements(const Statics& of, const State& state) const;
 };
 
-/// K⁺ f of each body.
-std::vector<VectorXd> Bodies::WithRows::unhindered(const std::vector<VectorXd>& loads) const {
+/// Condensed::forward() of each body.
+std::vector<VectorXd> Bodies::WithRows::halves(const std::vector<VectorXd>& loads) const {
   std::vector<VectorXd> result;
-  for (std::size_t b = 0; b < rows.size(); ++b) result.push_back(condensed(b).apply(loads[b]));
+  for (std::size_t b = 0; b < rows.size(); ++b) result.push_back(condensed(b).forward(loads[b]));
   return result;
 }
 
-Interface Bodies::WithRows::interface(const Given& given, const std::vector<VectorXd>& unhindered) const {
-  const VectorXd free_approach = approach(rows, unhindered);
+/// Σ B K⁺ f
+VectorXd Bodies::WithRows::approach(const std::vector<VectorXd>& halves) const {
+  VectorXd result = VectorXd::Zero(rows.front().rows());
+  for (std::size_t b = 0; b < rows.size(); ++b)
+    if (rows[b].nonZeros() > 0) result += rows[b] * condensed(b).factor.backward_to_last(halves[b]);
+  return result;
+}
+
+Interface Bodies::WithRows::interface(const Given& given, const std::vector<VectorXd>& halves) const {
+  const VectorXd free_approach = approach(halves);
   return {compliance,
           free_approach - given.gap,
           free_approach.cwiseAbs() + given.gap.cwiseAbs(),
@@ -148,15 +150,16 @@ Interface Bodies::WithRows::interface(const Given& given, const std::vector<Vect
 /// the rigid motions; that is spread over the body, else the pinned unknowns would have to bear it alone.
 State Bodies::WithRows::refined(const Given& given, const Scaled& interface, const std::vector<Index>& active,
                                 State state) const {
-  std::vector<VectorXd> residual;
+  std::vector<VectorXd> residual;  // by halves
   VectorXd misfit = given.statics.rows * state.motion - given.gap;
   if (added.size() > 0) misfit -= added * state.pressure;
   for (std::size_t b = 0; b < rows.size(); ++b) {
     VectorXd carried = systems()[b].stiffness.selfadjointView<Eigen::Lower>() * state.elastic[b];
     const MatrixXd& basis = bases()[b].basis;  // basisᵀ basis = n
     if (basis.cols() > 0) carried -= basis * (basis.transpose() * carried) / static_cast<double>(basis.rows());
-    residual.push_back(given.loads[b] - rows[b].transpose() * state.pressure - carried);
-    if (rows[b].nonZeros() > 0) misfit += rows[b] * (state.elastic[b] + condensed(b).apply(residual[b]));
+    residual.push_back(condensed(b).forward(given.loads[b] - rows[b].transpose() * state.pressure - carried));
+    if (rows[b].nonZeros() > 0)
+      misfit += rows[b] * (state.elastic[b] + condensed(b).factor.backward_to_last(residual[b]));
   }
   const VectorXd none = VectorXd::Zero(given.gap.size());
   VectorXd change = none;
@@ -172,7 +175,7 @@ State Bodies::WithRows::refined(const Given& given, const Scaled& interface, con
     }
   }
   for (std::size_t b = 0; b < rows.size(); ++b)
-    state.elastic[b] += elastic_displacement(rows[b], condensed(b), residual[b], change);
+    state.elastic[b] += elastic_displacement(rows[b], condensed(b), std::move(residual[b]), change);
   state.pressure = clamped(state.pressure + change, given.limits);
   return state;
 }
@@ -309,8 +312,8 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
   }
 
   const Given given{loads, gap, limits, of_rows, balanced.load};
-  std::vector<VectorXd> unhindered = bodies.unhindered(loads);
-  const Scaled interface = scaled(bodies.interface(given, unhindered));
+  std::vector<VectorXd> halves = bodies.halves(loads);
+  const Scaled interface = scaled(bodies.interface(given, halves));
   const Pressure found = minimise(interface, balanced.pressure, limits, guess);
   solution.iterations = found.iterations;
   solution.termination = found.termination;
@@ -321,9 +324,8 @@ Solution Bodies::solve(const std::vector<VectorXd>& loads, const VectorXd& gap, 
               scaled(found.pressure, interface.row, interface.problem.limits, limits),
               interface.motion.triangularView<Eigen::Upper>().solve(found.motion)};
   for (std::size_t b = 0; b < loads.size(); ++b)
-    state.elastic.push_back(bodies.rows[b].nonZeros() > 0
-                                ? elastic_displacement(bodies.rows[b], bodies.condensed(b), loads[b], state.pressure)
-                                : std::move(unhindered[b]));
+    state.elastic.push_back(
+        elastic_displacement(bodies.rows[b], bodies.condensed(b), std::move(halves[b]), state.pressure));
   state = bodies.refined(given, interface, found.active, std::move(state));
 
   solution.displacement = bodies.displacements(of_rows, state);

@@ -60,6 +60,17 @@ struct Supernodes {
   }
 };
 
+/// A column of L that belongs to one of the last unknowns, from its diagonal entry on. CHOLMOD may reorder subtrees,
+/// but a column stays before those that depend on it: none outside depends on the last ones, so that where its rows are
+/// not theirs its values are zero.
+struct LastColumn {
+  int place;    ///< in the factor
+  int unknown;  ///< there
+  int count;
+  const int* rows;
+  const double* values;
+};
+
 /// The unknown that comes k-th.
 std::vector<int> order(const std::vector<int>& nodes, const std::vector<int>& sequence, const std::vector<int>& last,
                        const std::vector<char>& is_last) {
@@ -80,6 +91,9 @@ struct Factor::Handle {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   std::vector<char> is_last;
+
+  Eigen::VectorXd solved(int system, const Eigen::VectorXd& b) const;  ///< as cholmod_solve() numbers systems
+  std::vector<LastColumn> last_columns() const;                        ///< in their order in the factor
 
   Handle() {
     cholmod_start(&common);
@@ -142,23 +156,72 @@ bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   return true;
 }
 
-Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
-  if (b.size() == 0) return b;
+Eigen::VectorXd Factor::Handle::solved(int system, const Eigen::VectorXd& b) const {
   cholmod_dense right{};
   right.nrow = right.d = right.nzmax = b.size();
   right.ncol = 1;
   right.x = const_cast<double*>(b.data());
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  cholmod_common common;  // its own workspace, so that several threads may solve at once
-  cholmod_start(&common);
-  common.print = 0;
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, handle_->factor, &right, &common);
+  cholmod_common own;  // its own workspace, so that several threads may solve at once
+  cholmod_start(&own);
+  own.print = 0;
+  cholmod_dense* solution = cholmod_solve(system, factor, &right, &own);
   Eigen::VectorXd result;
   if (solution) result = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(solution->x), b.size());
-  cholmod_free_dense(&solution, &common);
-  cholmod_finish(&common);
+  cholmod_free_dense(&solution, &own);
+  cholmod_finish(&own);
   if (result.size() == 0) throw std::bad_alloc();
+  return result;
+}
+
+Eigen::VectorXd Factor::forward(const Eigen::VectorXd& b) const {
+  if (b.size() == 0) return b;
+  return handle_->solved(CHOLMOD_L, handle_->solved(CHOLMOD_P, b));
+}
+
+Eigen::VectorXd Factor::backward(const Eigen::VectorXd& y) const {
+  if (y.size() == 0) return y;
+  return handle_->solved(CHOLMOD_Pt, handle_->solved(CHOLMOD_Lt, y));
+}
+
+std::vector<LastColumn> Factor::Handle::last_columns() const {
+  std::vector<LastColumn> columns;
+  const int* const unknown = static_cast<const int*>(factor->Perm);
+  const Supernodes nodes(*factor);
+  for (int s = 0; s < nodes.count; ++s)
+    for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c)
+      if (is_last[unknown[c]]) {
+        const int above = c - nodes.super[s];
+        columns.push_back({c, unknown[c], nodes.height(s) - above, nodes.rows + nodes.row_begin[s] + above,
+                           nodes.column(s, c) + above});
+      }
+  return columns;
+}
+
+Eigen::VectorXd Factor::plus_last(Eigen::VectorXd y, const Eigen::VectorXd& b) const {
+  if (y.size() == 0) return y;
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(y.size());
+  const std::vector<LastColumn> columns = handle_->last_columns();
+  for (const LastColumn& column : columns) added[column.place] = b[column.unknown];
+  for (const auto& [place, unknown, count, rows, values] : columns) {
+    added[place] /= values[0];
+    for (int k = 1; k < count; ++k) added[rows[k]] -= values[k] * added[place];
+    y[place] += added[place];
+  }
+  return y;
+}
+
+Eigen::VectorXd Factor::backward_to_last(const Eigen::VectorXd& y) const {
+  if (y.size() == 0) return y;
+  Eigen::VectorXd ordered = Eigen::VectorXd::Zero(y.size()), result = ordered;
+  const std::vector<LastColumn> columns = handle_->last_columns();
+  for (auto column = columns.rbegin(); column != columns.rend(); ++column) {
+    const auto& [place, unknown, count, rows, values] = *column;
+    double rest = y[place];
+    for (int k = 1; k < count; ++k) rest -= values[k] * ordered[rows[k]];
+    result[unknown] = ordered[place] = rest / values[0];
+  }
   return result;
 }
 
@@ -174,8 +237,6 @@ Trailing Factor::trailing() const {
       result.unknowns.push_back(unknown[c]);
     }
   result.lower.setZero(result.unknowns.size(), result.unknowns.size());
-  // CHOLMOD may reorder subtrees, but a column stays before those that depend on it. So none outside depends on the
-  // last ones, and their rows of L are all their own.
   const Supernodes nodes(factor);
   for (int s = 0; s < nodes.count; ++s) {
     const int* const rows = nodes.rows + nodes.row_begin[s];

@@ -31,9 +31,16 @@ class Factor {
   /// Computes L. \param stiffness the matrix that was laid out, or one with the same pattern
   /// \return whether it is definite: no pivot is lost in rounding
   bool factorise(const Eigen::SparseMatrix<double>& stiffness);
-  /// K⁻¹ b; from several threads at once, too. \pre factorise() returned true
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  /// \pre factorise() returned true
+  /// K⁻¹ b = Pᵀ L⁻ᵀ (L⁻¹ P b) by halves, each of which reads all of L; from several threads at once, too.
+  /// \pre factorise() returned true; so below
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return backward(forward(b)); }
+  Eigen::VectorXd forward(const Eigen::VectorXd& b) const;   ///< y = L⁻¹ P b
+  Eigen::VectorXd backward(const Eigen::VectorXd& y) const;  ///< Pᵀ L⁻ᵀ y
+  /// y + L⁻¹ P b of a b that is zero but for the last unknowns. It changes the last of y alone, and reads but their
+  /// columns of L; so does
+  Eigen::VectorXd plus_last(Eigen::VectorXd y, const Eigen::VectorXd& b) const;
+  /// what backward(y) has at the last unknowns, and zero at the others.
+  Eigen::VectorXd backward_to_last(const Eigen::VectorXd& y) const;
   Trailing trailing() const;
 
  private:

@@ -52,6 +52,16 @@ TEST(Factor, TrailingBlockIsTheFactorOfTheSchurComplement) {
     const VectorXd right = random_vector(2 * n_nodes, random);
     EXPECT_LE((dense * factor.solve(right) - right).norm(),
               80 * 16 * std::numeric_limits<double>::epsilon() * right.norm());
+
+    // What only touches the last unknowns, by their columns alone.
+    VectorXd at_last = VectorXd::Zero(2 * n_nodes);
+    for (const int i : last) at_last[i] = right[i];
+    const double rounding = 80 * 16 * std::numeric_limits<double>::epsilon() * dense.inverse().norm() * right.norm();
+    const VectorXd half = factor.plus_last(factor.forward(right), at_last), whole = factor.solve(right + at_last);
+    EXPECT_LE((factor.backward(half) - whole).norm(), rounding);
+    const VectorXd seen = factor.backward_to_last(half);
+    EXPECT_LE((seen(last) - whole(last)).norm(), rounding);
+    EXPECT_EQ(static_cast<std::size_t>((seen.array() != 0).count()), last.size());
   }
 }
 
