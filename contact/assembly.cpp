@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "contact/contact.h"
+#include "contact/large_pages.h"
 
 namespace bracket::contact {
 namespace {
@@ -56,6 +57,8 @@ Assembly::Assembly(std::vector<int> nodes, std::span<const int> cell_nodes, int 
   }
   matrix_.resize(n, n);
   matrix_.resizeNonZeros(first.back());
+  use_large_pages(matrix_.valuePtr(), first.back());
+  use_large_pages(matrix_.innerIndexPtr(), first.back());
   std::copy(first.begin(), first.end(), matrix_.outerIndexPtr());
   for (int v = 0; v < n_nodes; ++v)
     for (int column = nodes[v]; column < nodes[v + 1]; ++column) {

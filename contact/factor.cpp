@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "contact/contact.h"
+#include "contact/large_pages.h"
 
 namespace bracket::contact {
 namespace {
@@ -138,6 +139,10 @@ bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
   cholmod_sparse matrix = view(stiffness);
   // CHOLMOD asks OpenMP for four threads for every supernode, whatever else runs: they wait for each other in loops.
   int done = 0;
+  if (handle_->factor->xtype == CHOLMOD_PATTERN) {  // the memory of L, as CHOLMOD would take it itself
+    if (!cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, handle_->factor, &handle_->common)) throw std::bad_alloc();
+    use_large_pages(static_cast<double*>(handle_->factor->x), handle_->factor->xsize);
+  }
 #pragma omp teams num_teams(1) thread_limit(1)
   done = cholmod_factorize(&matrix, handle_->factor, &handle_->common);
   if (!done) throw std::bad_alloc();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact/large_pages.h"
 #include "scene/parallel.h"
 
 namespace bracket::dual {
@@ -106,7 +107,10 @@ template <int dim> Triangle corners(const scene::Mesh<dim>& mesh, int cell) {
 }
 
 template <int degree, int dim> std::vector<Cell<degree>> make_cells(const Problem<dim>& problem, const Layout& layout) {
-  std::vector<Cell<degree>> cells(problem.mesh.cells.size());
+  std::vector<Cell<degree>> cells;
+  cells.reserve(problem.mesh.cells.size());
+  contact::use_large_pages(cells.data(), cells.capacity());
+  cells.resize(problem.mesh.cells.size());
   scene::for_each_index(static_cast<int>(cells.size()),
                         [&](int c) { cells[c] = make_cell<degree>(problem, layout, c); });
   return cells;
