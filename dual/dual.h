@@ -60,8 +60,15 @@ template <int dim> class LocalSolver {
  public:
   using Pressure = std::vector<std::array<double, std::size_t{dim}>>;
 
-  /// \param again whether several problems are to be solved: then what does not depend on loads, gaps and prescribed
-  ///     displacements is kept, the stars' factors above all, where a quarter of the machine's memory holds it
+  /// What the stresses of a problem are made from.
+  struct Start {
+    const scene::Problem<dim>& problem;
+    const Pressure& pressure;
+    const scene::Displacement<dim>& displacement;
+  };
+
+  /// \param again whether problems are to be solved more than once: then the cells' forms and what puts a stress in
+  ///     balance are kept, where a quarter of the machine's memory holds them
   explicit LocalSolver(const scene::Problem<dim>& problem, bool again = false);
 
   /// \param problem on the same mesh with the same materials, supports and contact facets; loads, gaps and prescribed
@@ -74,9 +81,12 @@ template <int dim> class LocalSolver {
   Result<dim> solve(const scene::Problem<dim>& problem, const Pressure& pressure,
                     const scene::Displacement<dim>& displacement, int sweeps) const;
 
-  struct Frame;
+  /// The same for several problems, star by star for all of them: what is made of the stars is made once.
+  /// \return in their order, statistics of all together
+  std::vector<Result<dim>> solve(const std::vector<Start>& starts, int sweeps) const;
 
  private:
+  struct Frame;
   std::shared_ptr<const Frame> frame_;
 };
 

@@ -62,21 +62,23 @@ template <class Block> class BlockCholesky {
   Block& diagonal(int i) { return block_[place_[at(i, i)]]; }
 
   /// \return whether it is definite
-  bool factorise() {
+  template <int lanes> bool factorise() {
     for (int step = 0; step < size_; ++step) {
       const int p = sequence_[step];
       if (!dual::factorise(diagonal(p))) return false;
       const std::vector<int>& below = below_[step];
-      for (const int i : below) divide(block_[place_[at(i, p)]], diagonal(p));
-      for (std::size_t k = 0; k < below.size(); ++k)
-        for (std::size_t l = 0; l <= k; ++l) {
-          const Block& left = block_[place_[at(below[k], p)]];
+      for (const int i : below) divide<lanes>(block_[place_[at(i, p)]], diagonal(p));
+      for (std::size_t k = 0; k < below.size(); ++k) {
+        const Block& left = block_[place_[at(below[k], p)]];
+        subtract_square<lanes>(diagonal(below[k]), left);
+        for (std::size_t l = 0; l < k; ++l) {
           const Block& right = block_[place_[at(below[l], p)]];
-          if (const int to = place_[at(below[k], below[l])]; to >= 0)
-            subtract_product(block_[to], left, right);
-          else
-            subtract_product(block_[place_[at(below[l], below[k])]], right, left);
+          const int to = place_[at(below[k], below[l])];
+          const bool lower = to >= 0;
+          subtract_product<lanes>(block_[lower ? to : place_[at(below[l], below[k])]], lower ? left : right,
+                                  lower ? right : left);
         }
+      }
     }
     return true;
   }

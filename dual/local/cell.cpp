@@ -13,25 +13,25 @@ namespace {
 template <int dim> inline constexpr int n_motions = scene::Simplex<dim>::n_rigid_motions;
 
 /// −H⁻¹, facet by facet; nothing: H is not definite in floating point.
-template <int dim> std::optional<CellForm<dim>> negative_inverse(CellForm<dim> form) {
+template <int dim, int lanes> std::optional<CellForm<dim>> negative_inverse(CellForm<dim> form) {
   using Block = FacetBlock<dim>;
   for (int p = 0; p <= dim; ++p) {
     Block pivot = form.at(p, p);
     if (!factorise(pivot)) return {};
     Block root = Block::Identity();  // L⁻ᵀ
-    divide(root, pivot);
+    divide<lanes>(root, pivot);
     std::array<Block, dim + 1> column, solved;
     form.at(p, p).setZero();
-    subtract_product(form.at(p, p), root, root);
+    subtract_product<lanes>(form.at(p, p), root, root);
     for (int i = 0; i <= dim; ++i) {
       if (i == p) continue;
       column[i] = form.rows_of(i, p);
       solved[i].setZero();
-      subtract_product(solved[i], column[i], form.at(p, p));
+      subtract_product<lanes>(solved[i], column[i], form.at(p, p));
     }
     for (int i = 0; i <= dim; ++i)
       for (int k = 0; k <= i && i != p; ++k)
-        if (k != p) subtract_product(form.at(i, k), solved[i], column[k]);
+        if (k != p) subtract_product<lanes>(form.at(i, k), solved[i], column[k]);
     for (int i = 0; i <= dim; ++i) {
       if (i > p) form.at(i, p) = solved[i];
       if (i < p) form.at(p, i) = solved[i].transpose();
@@ -41,10 +41,11 @@ template <int dim> std::optional<CellForm<dim>> negative_inverse(CellForm<dim> f
 }
 
 /// k = H⁻¹ − H⁻¹ Rᵀ (R H⁻¹ Rᵀ)⁻¹ R H⁻¹, R the resultants of the loads.
-template <int dim> CellForm<dim> stiffness_of(const scene::Mesh<dim>& mesh, int cell, const CellForm<dim>& energy) {
+template <int dim, int lanes>
+CellForm<dim> stiffness_of(const scene::Mesh<dim>& mesh, int cell, const CellForm<dim>& energy) {
   constexpr int one = n_facet_loads<dim>, m = n_motions<dim>, n = n_cell_loads<dim>;
   CellForm<dim> result;
-  const std::optional<CellForm<dim>> negative = negative_inverse<dim>(energy);
+  const std::optional<CellForm<dim>> negative = negative_inverse<dim, lanes>(energy);
   if (!negative) {
     for (auto& block : result.block) block.setConstant(std::numeric_limits<double>::quiet_NaN());
     return result;
@@ -66,12 +67,12 @@ template <int dim> CellForm<dim> stiffness_of(const scene::Mesh<dim>& mesh, int 
   if (!factorise(root)) root.setConstant(std::numeric_limits<double>::quiet_NaN());
   for (int j = 0; j < m; ++j) {
     for (int k = 0; k < j; ++k) lifted.col(j) -= root(j, k) * lifted.col(k);
-    lifted.col(j) /= root(j, j);
+    lifted.col(j) *= root(j, j);
   }
   for (int i = 0; i <= dim; ++i)
     for (int k = 0; k <= i; ++k) {
       result.at(i, k) = -negative->at(i, k);
-      subtract_product(result.at(i, k), &lifted(one * i, 0), &lifted(one * k, 0), m, n);
+      subtract_product<lanes>(result.at(i, k), &lifted(one * i, 0), &lifted(one * k, 0), m, n);
     }
   return result;
 }
@@ -150,12 +151,18 @@ template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int
   }
 
   Energy<dim> energy;
+  in_lanes([&](auto lanes) {
+    for (int i = 0; i <= dim; ++i)
+      for (int k = 0; k <= i; ++k) {
+        FacetBlock<dim>& block = energy.loads.at(i, k);
+        block.setZero();
+        subtract_product<lanes>(block, &sums(one * i, 0), &sums(one * k, 0), rows, n + dim);
+        block = -block;
+      }
+  });
   for (int i = 0; i <= dim; ++i)
     for (int k = 0; k <= i; ++k) {
       FacetBlock<dim>& block = energy.loads.at(i, k);
-      block.setZero();
-      subtract_product(block, &sums(one * i, 0), &sums(one * k, 0), rows, n + dim);
-      block = -block;
       for (int a = 0; a < one; ++a)
         for (int b = 0; b < one; ++b) {
           const int q = one * i + a, r = one * k + b;
@@ -164,12 +171,12 @@ template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int
         }
     }
   energy.by_body_force = sums.template topRows<n>().lazyProduct(sums.template bottomRows<dim>().transpose());
-  energy.stiffness = stiffness_of<dim>(problem.mesh, cell, energy.loads);
+  energy.stiffness = in_lanes([&](auto lanes) { return stiffness_of<dim, lanes>(problem.mesh, cell, energy.loads); });
   return energy;
 }
 
-template <int dim> std::vector<Energy<dim>> energies_of(const scene::Problem<dim>& problem) {
-  std::vector<Energy<dim>> energies(problem.mesh.cells.size());
+template <int dim> Energies<dim> energies_of(const scene::Problem<dim>& problem) {
+  Energies<dim> energies(problem.mesh.cells.size());
   scene::for_each_index(static_cast<int>(energies.size()), [&](int c) { energies[c] = energy_of(problem, c); });
   return energies;
 }
@@ -224,7 +231,7 @@ template <int dim> const std::array<Eigen::Matrix<double, dim, dim>, std::size_t
                                                              const scene::BlockGeometry<dim, double>&,           \
                                                              const CellVector<dim>&, const scene::Vector<dim>&); \
   template Energy<dim> energy_of(const scene::Problem<dim>&, int);                                               \
-  template std::vector<Energy<dim>> energies_of(const scene::Problem<dim>&);                                     \
+  template Energies<dim> energies_of(const scene::Problem<dim>&);                                                \
   template Eigen::Matrix<double, dim, dim> hat_masses<dim>();                                                    \
   template Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, n_facet_loads<dim>> resultants<dim>(      \
       const std::array<scene::Vector<dim>, dim>&);                                                               \

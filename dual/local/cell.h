@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dual/local/large_array.h"
 #include "dual/local/small_blocks.h"
 #include "scene/balanced_block.h"
 #include "scene/scene.h"
@@ -127,8 +128,9 @@ template <int dim> struct Energy {
                             ///< in balance have; not numbers where H is singular
   Eigen::Matrix<double, n_cell_loads<dim>, dim> by_body_force;  ///< B
 };
+template <int dim> using Energies = LargeArray<Energy<dim>>;
 template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell);
-template <int dim> std::vector<Energy<dim>> energies_of(const scene::Problem<dim>& problem);  ///< of all cells
+template <int dim> Energies<dim> energies_of(const scene::Problem<dim>& problem);  ///< of all cells
 
 /// Facet loads by the force and the moments about the origin in the planes of Simplex::rotations that they are.
 /// \param x the vertices of the facet

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "dual/local/contact_step.h"
+#include "dual/local/pressed.h"
 #include "scene/bernstein.h"
 
 namespace bracket::dual {
@@ -34,8 +35,8 @@ template <int dim> void press(Loads<dim>& loads, const Pressed<dim>& pressed, co
   std::vector<StarData<dim>> data;
   std::vector<typename StarSystem<dim>::Solution> at_rest;  // by the pressures as they are
   for (std::size_t t = 0; t < systems.size(); ++t) {
-    data.push_back(loads.as_they_are(loads.star(pressed.stars[t])));
-    at_rest.push_back(systems[t]->solve(data[t]));
+    data.push_back(loads.as_they_are(systems[t]));
+    at_rest.push_back(systems[t].solve(data[t]));
   }
   SmallProblem small{pressed.form, Eigen::VectorXd(n), pressed.motion, Eigen::VectorXd(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -52,18 +53,31 @@ template <int dim> void press(Loads<dim>& loads, const Pressed<dim>& pressed, co
     loads.add_pressure(unit.contact, unit.vertex, change[i]);
     for (const auto& [t, spoke, load] : unit.on) data[t].sum[spoke] += change[i] * load;
   }
-  for (std::size_t t = 0; t < data.size(); ++t)
-    loads.add(loads.star(pressed.stars[t]), systems[t]->solve(data[t]).loads);
+  for (std::size_t t = 0; t < data.size(); ++t) loads.add(systems[t].star(), systems[t].solve(data[t]).loads);
 }
 
 }  // namespace
 
-template <int dim> void contact_sweep(Loads<dim>& loads) {
-  loads.for_each_pressed(
-      [&](const Pressed<dim>& pressed, const Systems<dim>& systems) { press(loads, pressed, systems); });
+template <int dim>
+void contact_sweep(const std::vector<Star<dim>>& stars, const Energies<dim>& energy,
+                   const std::vector<std::unique_ptr<Loads<dim>>>& loads) {
+  const Problem<dim>& any = loads.front()->problem();
+  const auto contacts = contacts_by_vertex(any);
+  for (std::size_t v = 0; v < contacts.size(); ++v) {
+    if (contacts[v].empty()) continue;
+    Pressed<dim> pressed = pressed_at(any, loads.front()->facets(), stars, static_cast<int>(v), contacts[v]);
+    Systems<dim> systems;
+    for (const int star : pressed.stars) systems.emplace_back(stars[star], energy);
+    pressed = with_forms(std::move(pressed), stars, systems);
+    for (const auto& one : loads) press(*one, pressed, systems);
+  }
 }
 
-template void contact_sweep(Loads<2>&);
-template void contact_sweep(Loads<3>&);
+#define INSTANTIATE(dim)                                                           \
+  template void contact_sweep(const std::vector<Star<dim>>&, const Energies<dim>&, \
+                              const std::vector<std::unique_ptr<Loads<dim>>>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 
 }  // namespace bracket::dual

@@ -58,7 +58,7 @@ Pressed<dim> with_forms(Pressed<dim> pressed, const std::vector<Star<dim>>& star
       Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1> wrench = resultants<dim>(star.arms(spoke)) * load;
       wrench.template tail<scene::Simplex<dim>::n_rotations>() /= star.size();
       pressed.motion.row(i).segment(first_motion[t], star.motions().cols()) += wrench.transpose() * star.motions();
-      const auto moved = systems[t]->moved_by(spoke, load);
+      const auto moved = systems[t].moved_by(spoke, load);
       for (Eigen::Index k = 0; k < n; ++k)
         for (const auto& other : pressed.units[k].on)
           if (other.star == t) form(k, i) += other.load.dot(moved[other.spoke]);

@@ -1,8 +1,6 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "dual/local/star_system.h"
 
 namespace bracket::dual {
@@ -26,7 +24,7 @@ template <int dim> struct Pressed {
   Eigen::MatrixXd motion;  ///< of each unit along the motions of the stars
 };
 
-template <int dim> using Systems = std::vector<std::shared_ptr<const StarSystem<dim>>>;
+template <int dim> using Systems = std::vector<StarSystem<dim>>;
 /// Without forms. \param contacts those whose first facet has the vertex
 template <int dim>
 Pressed<dim> pressed_at(const scene::Problem<dim>& problem, const Facets<dim>& facets,

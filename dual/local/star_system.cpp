@@ -16,7 +16,7 @@ StarData<dim>::StarData(const Star<dim>& star)
       prescribed(star.spokes().size(), FacetVector<dim>::Zero()) {}
 
 template <int dim>
-StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy)
+StarSystem<dim>::StarSystem(const Star<dim>& star, const Energies<dim>& energy)
     : star_(star),
       energy_(energy),
       unknown_(star.spokes().size(), -1),
@@ -39,10 +39,12 @@ StarSystem<dim>::StarSystem(const Star<dim>& star, const std::vector<Energy<dim>
       for (const int g : star.spokes_of(c))
         if (unknown_[f] >= 0 && unknown_[g] >= 0) matrix_.connect(unknown_[f], unknown_[g]);
   matrix_.order(last < 0 ? n - 1 : last);
-  for (std::size_t c = 0; c < star.cells().size(); ++c) add(c, set_form(c));
+  in_lanes([&](auto lanes) {
+    for (std::size_t c = 0; c < star.cells().size(); ++c) add(c, this->template set_form<lanes>(c));
+  });
   if (n == 0) return;
   hold_what_slides();
-  if (!matrix_.factorise()) throw NotDefinite{star.vertex()};
+  if (!in_lanes([&](auto lanes) { return matrix_.template factorise<lanes>(); })) throw NotDefinite{star.vertex()};
 }
 
 /// The resultants of the loads on a cell's spokes, moments about the vertex.
@@ -55,7 +57,7 @@ template <int dim> typename StarSystem<dim>::Balance StarSystem<dim>::balance(st
 }
 
 /// The facet opposite to the vertex moves such that its loads are zero.
-template <int dim> typename StarSystem<dim>::Response StarSystem<dim>::set_form(std::size_t cell) {
+template <int dim> template <int lanes> typename StarSystem<dim>::Response StarSystem<dim>::set_form(std::size_t cell) {
   const int corner = star_.corner(cell);
   const CellForm<dim>& stiffness = energy_[star_.cells()[cell]].stiffness;
   Block& opposite = opposite_[cell];
@@ -65,11 +67,10 @@ template <int dim> typename StarSystem<dim>::Response StarSystem<dim>::set_form(
   std::array<Block, dim> by_opposite;
   for (int i = 0; i < dim; ++i) {
     by_opposite[i] = stiffness.rows_of(facet_at(corner, i), corner);
-    divide(by_opposite[i], opposite);
-    for (int k = 0; k <= i; ++k) {
-      response.at(i, k) = stiffness.at(facet_at(corner, i), facet_at(corner, k));
-      subtract_product(response.at(i, k), by_opposite[i], by_opposite[k]);
-    }
+    divide<lanes>(by_opposite[i], opposite);
+    for (int k = 0; k <= i; ++k) response.at(i, k) = stiffness.at(facet_at(corner, i), facet_at(corner, k));
+    for (int k = 0; k < i; ++k) subtract_product<lanes>(response.at(i, k), by_opposite[i], by_opposite[k]);
+    subtract_square<lanes>(response.at(i, i), by_opposite[i]);
   }
   const Balance of_cell = balance(cell);
   balance_root_[cell] = of_cell.lazyProduct(of_cell.transpose());
@@ -120,6 +121,7 @@ template <int dim> void StarSystem<dim>::add(std::size_t cell, const Response& r
         continue;
       }
       Block block = response.at(i, k);
+      if (i == k) block = response.at(i, i).template selfadjointView<Eigen::Lower>();
       make_tangential(own[i], block);
       block.transposeInPlace();
       make_tangential(own[k], block);

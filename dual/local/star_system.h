@@ -37,7 +37,10 @@ template <int dim> class StarSystem {
 
   /// \param energy of all cells of the mesh; kept by reference, as the star is
   /// \throw NotDefinite
-  StarSystem(const Star<dim>& star, const std::vector<Energy<dim>>& energy);
+  StarSystem(const Star<dim>& star, const Energies<dim>& energy);
+  const Star<dim>& star() const { return star_; }
+  const Energy<dim>& energy(std::size_t cell) const { return energy_[star_.cells()[cell]]; }
+
   /// Balanced to the last digits of the loads, however stiff the cells are. What `sum` lacks of balance along
   /// Star::motions() is left on one spoke.
   Solution solve(const StarData<dim>& data) const;
@@ -45,12 +48,13 @@ template <int dim> class StarSystem {
   std::vector<FacetVector<dim>> moved_by(int spoke, const FacetVector<dim>& sum) const;
 
  private:
-  /// D = response (μ − gradient) of the loads on a cell's spokes, balanced; those on the facet opposite are zero.
+  /// D = response (μ − gradient) of the loads on a cell's spokes, balanced; those on the facet opposite are zero. Of
+  /// the blocks on the diagonal the lower halves count.
   using Response = FacetForm<dim, dim>;
   using Resultant = Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, 1>;
   using Balance = Eigen::Matrix<double, scene::Simplex<dim>::n_rigid_motions, n_spoke_loads<dim>>;
   using Block = FacetBlock<dim>;
-  Response set_form(std::size_t cell);
+  template <int lanes> Response set_form(std::size_t cell);
   void add(std::size_t cell, const Response& response);
   void hold_what_slides();
   Spokes respond(std::size_t cell, const Spokes& slope) const;
@@ -60,7 +64,7 @@ template <int dim> class StarSystem {
   template <class Rows> void make_tangential(int spoke, Rows&& rows) const;
 
   const Star<dim>& star_;
-  const std::vector<Energy<dim>>& energy_;
+  const Energies<dim>& energy_;
   std::vector<int> unknown_;                       ///< of each spoke; −1: on Γ_u
   std::vector<const scene::Vector<dim>*> normal_;  ///< of spokes on Γ_0
   std::vector<Block> opposite_;                    ///< of each cell: the root of its stiffness at the facet opposite

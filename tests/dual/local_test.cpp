@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dual/dual.h"
+#include "dual/local/small_blocks.h"
 #include "dual/local/star_system.h"
 #include "tests/support/problems_in_space.h"
 #include "tests/support/scenes.h"
@@ -134,7 +135,7 @@ template <int dim> void expect_balance() {
       const Problem<dim> p = problem<dim>(poisson, flat);
       const Facets<dim> facets = facets_of(p);
       const Stars stars = stars_of(p.mesh);
-      std::vector<Energy<dim>> energy;
+      Energies<dim> energy;
       for (std::size_t c = 0; c < p.mesh.cells.size(); ++c) energy.push_back(energy_of(p, static_cast<int>(c)));
       double condition = 0, load = 0;  // the largest of all stars
       for (const Energy<dim>& one : energy)
@@ -190,37 +191,88 @@ template <> Problem<3> pressed<3>(double by) {
   return result;
 }
 
-/// What is kept of one problem, which is gone, serves others as if it were made for them.
+/// The largest difference of two stresses by the largest of them.
+template <int dim> double difference(const scene::Stress<dim>& a, const scene::Stress<dim>& b) {
+  double most = 0, largest = 0;
+  for (std::size_t c = 0; c < a.cell.size(); ++c)
+    for (std::size_t i = 0; i < a.cell[c].size(); ++i) {
+      most = std::max(most, (a.cell[c][i] - b.cell[c][i]).cwiseAbs().maxCoeff());
+      largest = std::max(largest, a.cell[c][i].cwiseAbs().maxCoeff());
+    }
+  EXPECT_GT(largest, 0);
+  return most / largest;
+}
+
+/// What is kept of one problem, which is gone, serves others as if it were made for them, alone and together.
 template <int dim> void expect_the_same_with_what_is_kept() {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-0.1, 0.1);
   const LocalSolver<dim> kept(Problem<dim>(pressed<dim>(0)), true);
-  for (const double by : {0.0, 1.0, -0.7}) {
-    const Problem<dim> problem = pressed<dim>(by);
-    scene::Displacement<dim> u{2, {}, {}, {}};
+  const std::array<Problem<dim>, 3> problems = {pressed<dim>(0), pressed<dim>(1), pressed<dim>(-0.7)};
+  std::array<scene::Displacement<dim>, 3> u;
+  std::array<typename LocalSolver<dim>::Pressure, 3> pressure;
+  std::vector<typename LocalSolver<dim>::Start> starts;
+  std::vector<Result<dim>> alone;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const Problem<dim>& problem = problems[i];
+    u[i].degree = 2;
     for (std::size_t v = 0; v < problem.mesh.vertices.size(); ++v)
-      u.vertex.push_back(number(random) * scene::Vector<dim>::Ones());
+      u[i].vertex.push_back(number(random) * scene::Vector<dim>::Ones());
     for (std::size_t e = 0; e < problem.mesh.edges.size(); ++e)
-      u.edge.push_back(number(random) * scene::Vector<dim>::Ones());
-    typename LocalSolver<dim>::Pressure pressure(problem.contact.size());
-    for (auto& facet : pressure)
+      u[i].edge.push_back(number(random) * scene::Vector<dim>::Ones());
+    pressure[i].resize(problem.contact.size());
+    for (auto& facet : pressure[i])
       for (double& p : facet) p = std::max(0.0, number(random));
-    const Result<dim> once = local(problem, pressure, u, 1), again = kept.solve(problem, pressure, u, 1);
-    ASSERT_EQ(once.reason + again.reason, "");
-    double most = 0, largest = 0;
-    for (std::size_t c = 0; c < once.stress.cell.size(); ++c)
-      for (std::size_t i = 0; i < once.stress.cell[c].size(); ++i) {
-        most = std::max(most, (once.stress.cell[c][i] - again.stress.cell[c][i]).cwiseAbs().maxCoeff());
-        largest = std::max(largest, once.stress.cell[c][i].cwiseAbs().maxCoeff());
-      }
-    EXPECT_GT(largest, 0) << dim << " " << by;
-    EXPECT_LE(most, 1e-12 * largest) << dim << " " << by;
-    EXPECT_EQ(once.statistics.unknowns, again.statistics.unknowns);
+    starts.push_back({problem, pressure[i], u[i]});
+    const Result<dim> once = local(problem, pressure[i], u[i], 1);
+    alone.push_back(kept.solve(problem, pressure[i], u[i], 1));
+    ASSERT_EQ(once.reason + alone[i].reason, "");
+    EXPECT_LE(difference(once.stress, alone[i].stress), 1e-12) << dim << " " << i;
+    EXPECT_EQ(once.statistics.unknowns, alone[i].statistics.unknowns);
+  }
+  const std::vector<Result<dim>> together = kept.solve(starts, 1);
+  ASSERT_EQ(together.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    ASSERT_EQ(together[i].reason, "");
+    EXPECT_EQ(difference(alone[i].stress, together[i].stress), 0) << dim << " " << i;
+    EXPECT_EQ(alone[i].statistics.active_rows, together[i].statistics.active_rows);
   }
 }
 TEST(LocalSolver, solves_any_data_with_what_it_keeps) {
   expect_the_same_with_what_is_kept<2>();
   expect_the_same_with_what_is_kept<3>();
+}
+
+/// a, b and a definite one, by the kernels of so many lanes: c − a bᵀ, the lower half of c − a aᵀ, L, c L⁻ᵀ.
+template <int lanes, class Block>
+std::array<Block, 4> by_kernels(const Block& a, const Block& b, const Block& definite) {
+  const Block c = a.transpose() + b;
+  std::array<Block, 4> result = {c, c, definite, c};
+  subtract_product<lanes>(result[0], a, b);
+  subtract_square<lanes>(result[1], a);
+  EXPECT_TRUE(factorise(result[2]));
+  divide<lanes>(result[3], result[2]);
+  for (const int i : {1, 2}) result[i] = Block(result[i].template triangularView<Eigen::Lower>());
+  return result;
+}
+template <int n> void expect_blocks_are_right() {
+  using Block = Eigen::Matrix<double, n, n>;
+  const Block a = Block::Random(), b = Block::Random(), c = a.transpose() + b,
+              definite = a * a.transpose() + Block::Identity();
+  const auto [product, square, factor, quotient] = by_kernels<2>(a, b, definite);
+  Block root = factor;
+  root.diagonal() = factor.diagonal().cwiseInverse();
+  const double rounding = 100 * n * n * std::numeric_limits<double>::epsilon();
+  EXPECT_LE((product - (c - a * b.transpose())).cwiseAbs().maxCoeff(), rounding);
+  EXPECT_LE((square - Block((c - a * a.transpose()).template triangularView<Eigen::Lower>())).cwiseAbs().maxCoeff(),
+            rounding);
+  EXPECT_LE((root * root.transpose() - definite).cwiseAbs().maxCoeff(), rounding);
+  EXPECT_LE((quotient * root.transpose() - c).cwiseAbs().maxCoeff(), rounding);
+  EXPECT_EQ(by_kernels<4>(a, b, definite), by_kernels<2>(a, b, definite));
+}
+TEST(SmallBlocks, are_what_they_say_and_do_not_depend_on_the_machine) {
+  expect_blocks_are_right<4>();
+  expect_blocks_are_right<9>();
 }
 
 }  // namespace

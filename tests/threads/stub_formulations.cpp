@@ -122,6 +122,7 @@ Result<dim> LocalSolver<dim>::solve(const scene::Problem<dim>&, const Pressure&,
                                     int) const {
   refuse();
 }
+template <int dim> std::vector<Result<dim>> LocalSolver<dim>::solve(const std::vector<Start>&, int) const { refuse(); }
 
 template class Solver<2>;
 template class LocalSolver<2>;
