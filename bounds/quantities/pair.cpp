@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/quantities/pair.h"
 
+#include <algorithm>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -130,14 +131,13 @@ PerturbedPair<dim> with_width(const scene::Problem<dim>& problem, const std::arr
   return pair;
 }
 
-/// \param displacements of the same problem, if they are known
 template <int dim>
 dual::Result<dim> stresses_of(const Solvers<dim>& solvers, const scene::Problem<dim>& problem,
-                              const Closed& closed = {}, const primal::Result<dim>& displacements = {}) {
+                              const Closed& closed = {}) {
   if constexpr (dim == 2)
     return solvers.stresses->solve(problem, closed.dual);
   else
-    return solvers.local_stresses->solve(problem, displacements);
+    return solvers.local_stresses->solve(problem);
 }
 
 }  // namespace
@@ -148,44 +148,69 @@ LocalStresses<dim>::LocalStresses(const primal::Solver<dim>& displacements, cons
     : pressures_(displacements, problem), of_pressures_(clock.seconds()), stars_(problem, again), sweeps_(sweeps) {}
 
 template <int dim>
+std::vector<dual::Result<dim>> LocalStresses<dim>::solve(std::span<const scene::Problem<dim>> problems,
+                                                         std::span<const primal::Result<dim>> displacements) const {
+  std::vector<dual::Result<dim>> results(problems.size());
+  std::vector<primal::PressureResult<dim>> pressed(problems.size());
+  std::vector<typename dual::LocalSolver<dim>::Start> starts;
+  std::vector<std::size_t> started;
+  double of_pressures = of_pressures_;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const bool known = problems[i].contact.empty() && !displacements[i].displacement.vertex.empty();
+    if (!known) {
+      const Clock clock;
+      pressed[i] = pressures_.solve(problems[i], displacements[i].closed);
+      of_pressures += clock.seconds();
+    }
+    if (pressed[i].termination == contact::Termination::solved) {
+      starts.push_back(
+          {problems[i], pressed[i].pressure, known ? displacements[i].displacement : pressed[i].displacement});
+      started.push_back(i);
+    } else {
+      results[i].termination = pressed[i].termination;
+      results[i].reason = std::move(pressed[i].reason);
+    }
+  }
+  std::vector<dual::Result<dim>> solved = stars_.solve(starts, sweeps_);
+  for (std::size_t k = 0; k < solved.size(); ++k) {
+    solved[k].statistics.seconds.contact += of_pressures;
+    results[started[k]] = std::move(solved[k]);
+  }
+  return results;
+}
+
+template <int dim>
 dual::Result<dim> LocalStresses<dim>::solve(const scene::Problem<dim>& problem,
                                             const primal::Result<dim>& displacements) const {
-  if (problem.contact.empty() && !displacements.displacement.vertex.empty())
-    return stars_.solve(problem, {}, displacements.displacement, sweeps_);
-  const Clock clock;
-  primal::PressureResult<dim> start = pressures_.solve(problem, displacements.closed);
-  const double of_pressure = of_pressures_ + clock.seconds();
-  dual::Result<dim> result;
-  if (start.termination == contact::Termination::solved) {
-    result = stars_.solve(problem, start.pressure, start.displacement, sweeps_);
-    result.statistics.seconds.contact += of_pressure;
-  } else {
-    result.termination = start.termination;
-    result.reason = std::move(start.reason);
-  }
-  return result;
+  return std::move(solve({&problem, 1}, {&displacements, 1}).front());
 }
 
 template <int dim>
 Attempt<dim> solve_pair(const scene::Problem<dim>& problem, const Solvers<dim>& solvers,
                         const std::shared_ptr<const scene::Perturbation<dim>>& by, double s,
                         const std::array<Closed, 2>& closed) {
-  constexpr auto side_by_side = dim == 2 ? std::launch::async : std::launch::deferred;
   std::array<primal::Result<dim>, 2> displacements;
   std::array<dual::Result<dim>, 2> stresses;
   const std::array<scene::Problem<dim>, 2> perturbed = {scene::perturbed(problem, by, s, -s),
                                                         scene::perturbed(problem, by, -s, s)};
-  const auto solve = [&](int i) {
+  const auto displace = [&](int i) {
     try {
       displacements[i] = solvers.displacements->solve(perturbed[i], closed[i].primal);
     } catch (const scene::Error& error) {  // prescribed displacements that close the gap
       displacements[i].reason = error.what();
     }
-    if (displacements[i].reason.empty()) stresses[i] = stresses_of(solvers, perturbed[i], closed[i], displacements[i]);
+    return displacements[i].reason.empty();
   };
-  auto other = std::async(side_by_side, solve, 1);
-  solve(0);
-  other.get();
+  if constexpr (dim == 2) {
+    const auto solve = [&](int i) {
+      if (displace(i)) stresses[i] = stresses_of(solvers, perturbed[i], closed[i]);
+    };
+    auto other = std::async(std::launch::async, solve, 1);
+    solve(0);
+    other.get();
+  } else if (displace(0) && displace(1)) {
+    std::ranges::move(solvers.local_stresses->solve(perturbed, displacements), stresses.begin());
+  }
   Attempt<dim> attempt;
   for (int i = 0; i < 2; ++i)
     for (const std::string& reason : {displacements[i].reason, stresses[i].reason})

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "bounds/certificate/certificate.h"
 #include "bounds/estimate/estimate.h"
@@ -26,6 +27,9 @@ template <int dim> class LocalStresses {
   ///     nothing touches they are what is needed
   /// \return with that termination where there are no such pressures
   dual::Result<dim> solve(const scene::Problem<dim>& problem, const primal::Result<dim>& displacements = {}) const;
+  /// The same for several problems together, which is quicker. \param displacements of each
+  std::vector<dual::Result<dim>> solve(std::span<const scene::Problem<dim>> problems,
+                                       std::span<const primal::Result<dim>> displacements) const;
 
  private:
   LocalStresses(const primal::Solver<dim>& displacements, const scene::Problem<dim>& problem, int sweeps, bool again,
