@@ -1,13 +1,11 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 #include <cstddef>
 #include <new>
 #include <vector>
+
+#include "contact/large_pages.h"
 
 namespace bracket::dual {
 
@@ -20,12 +18,9 @@ template <class T> struct LargeAllocator {
   template <class Other> LargeAllocator(const LargeAllocator<Other>&) {}
 
   T* allocate(std::size_t n) {
-    void* const memory = ::operator new(n * sizeof(T), alignment(n));
-#ifdef __linux__
-    if (alignment(n) == page)
-      madvise(memory, n * sizeof(T), MADV_HUGEPAGE);  // which may be refused: nothing depends on it
-#endif
-    return static_cast<T*>(memory);
+    T* const memory = static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
+    contact::use_large_pages(memory, n);
+    return memory;
   }
   void deallocate(T* memory, std::size_t n) { ::operator delete(memory, alignment(n)); }
   template <class Other> void construct(Other* at) { ::new (static_cast<void*>(at)) Other; }
