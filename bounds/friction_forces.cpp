@@ -32,13 +32,13 @@ std::vector<Tent> tents(const Problem<2>& first, const ContactLine& line) {
   const int parts = std::min(most, static_cast<int>(line.contact.size()));
   std::vector<Tent> result;
   for (int k = 0; k < parts + !line.closed; ++k) {
-    const double middle = length * k / parts;
+    const double middle = std::min(length, length * k / parts);  // which rounds
     const auto height = [&](double arc) {
       double off = std::abs(arc - middle);
       if (line.closed) off = std::min(off, length - off);
       return std::max(0.0, 1 - off * parts / length);
     };
-    Tent tent{{}, Weights(first.contact.size(), {0, 0, 0})};
+    Tent tent{scene::Vector<2>::Zero(), Weights(first.contact.size(), {0, 0, 0})};
     for (std::size_t i = 0; i < line.contact.size(); ++i) {  // vertex 1 of facet i is at arc[i]
       const int j = line.contact[i];
       const double a = held[j][0] ? 0 : height(line.arc[i + 1]), b = held[j][1] ? 0 : height(line.arc[i]);

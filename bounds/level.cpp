@@ -57,7 +57,10 @@ template <int dim> Examined<dim> solve_in_turn(const Meshed<dim>& meshed, const 
 template <int dim>
 Examined<dim> solve_side_by_side(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
   if (const auto& step = meshed.step) {
-    Examined<dim> solved{.primal = step->primal, .dual = step->dual, .solvers = step->solvers};
+    Examined<dim> solved;
+    solved.primal = step->primal;
+    solved.dual = step->dual;
+    solved.solvers = step->solvers;
     solved.level.seconds.primal = step->primal_seconds;
     solved.level.seconds.dual = step->dual_seconds;
     solved.unsolved = unsolved(solved);
