@@ -157,9 +157,9 @@ template <int dim> using Corners = std::array<int, std::size_t{dim} + 1>;
 /// Of each cell of the file the cell of the mesh that it is; nothing: one of them is none.
 template <int dim>
 std::optional<std::vector<int>> cells_of(const RawField<dim>& field, const Mesh<dim>& mesh, const Places& places) {
-  const auto places_at = [](const auto& nodes, const std::vector<int>& places) {
+  const auto places_at = [](const auto& nodes, const std::vector<int>& of) {
     Corners<dim> result;
-    for (int k = 0; k <= dim; ++k) result[k] = places[nodes[k]];
+    for (int k = 0; k <= dim; ++k) result[k] = of[nodes[k]];
     std::ranges::sort(result);
     return result;
   };
