@@ -232,29 +232,21 @@ Eigen::VectorXd Factor::backward_to_last(const Eigen::VectorXd& y) const {
 
 Trailing Factor::trailing() const {
   if (handle_->is_last.empty()) return {};
-  const cholmod_factor& factor = *handle_->factor;
-  const int* const unknown = static_cast<const int*>(factor.Perm);
+  const std::vector<LastColumn> columns = handle_->last_columns();
   Trailing result;
-  std::vector<int> place(factor.n, -1);
-  for (int c = 0; c < static_cast<int>(factor.n); ++c)
-    if (handle_->is_last[unknown[c]]) {
-      place[c] = static_cast<int>(result.unknowns.size());
-      result.unknowns.push_back(unknown[c]);
-    }
-  result.lower.setZero(result.unknowns.size(), result.unknowns.size());
-  const Supernodes nodes(factor);
-  for (int s = 0; s < nodes.count; ++s) {
-    const int* const rows = nodes.rows + nodes.row_begin[s];
-    for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c) {
-      if (place[c] < 0) continue;
-      for (int k = c - nodes.super[s]; k < nodes.height(s); ++k) {
-        if (place[rows[k]] >= 0)
-          result.lower(place[rows[k]], place[c]) = nodes.column(s, c)[k];
-        else if (nodes.column(s, c)[k] != 0)
-          throw std::logic_error("the contact unknowns are not last in the factor");
-      }
-    }
+  std::vector<int> row_at(handle_->factor->n, -1);  // of `lower`, by the place in the factor
+  for (const LastColumn& column : columns) {
+    row_at[column.place] = static_cast<int>(result.unknowns.size());
+    result.unknowns.push_back(column.unknown);
   }
+  result.lower.setZero(result.unknowns.size(), result.unknowns.size());
+  for (const auto& [place, unknown, count, rows, values] : columns)
+    for (int k = 0; k < count; ++k) {
+      if (row_at[rows[k]] >= 0)
+        result.lower(row_at[rows[k]], row_at[place]) = values[k];
+      else if (values[k] != 0)
+        throw std::logic_error("the contact unknowns are not last in the factor");
+    }
   return result;
 }
 
