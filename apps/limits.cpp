@@ -9,14 +9,12 @@
 #include <string_view>
 
 // Where the address space is limited (ulimit -v, -d) the libraries must not start threads: OpenBLAS does so when it is
-// loaded, and each of its threads tries for ever to get 128 MB; OpenMP ends the program where it gets no thread. And
-// malloc is slow beyond use where it cannot reserve 64 MB for each thread of ours. All three can be told by the
-// environment alone, before they are initialised.
+// loaded, and each of its threads tries for ever to get 128 MB; OpenMP ends the program where it gets no thread. Both
+// can be told by the environment alone, before they are initialised.
 
 namespace {
 
-constexpr std::array<std::string_view, 3> settings = {"OPENBLAS_NUM_THREADS=1", "OMP_THREAD_LIMIT=1",
-                                                      "MALLOC_ARENA_MAX=1"};
+constexpr std::array<std::string_view, 2> settings = {"OPENBLAS_NUM_THREADS=1", "OMP_THREAD_LIMIT=1"};
 
 bool is_limited(decltype(RLIMIT_AS) resource) {
   rlimit limit;

@@ -3,7 +3,7 @@
 
 packages="g++ cmake ninja-build lld
   libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas0-pthread libopenblas-dev libboost-dev libgmp-dev
-  libtbb-dev
+  libtbb-dev libjemalloc-dev pkg-config
   libvtk9-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev
   gnuplot-nox pybind11-dev python3-dev python3-numpy ${more_packages:-}"
 

@@ -77,6 +77,12 @@ TEST_F(Faults, AnyLimitOfTheAddressSpaceIsMetAtOnce) {
   EXPECT_TRUE(starts);
 }
 
+TEST_F(Faults, MemoryIsAskedForInLargePagesByTheProgramsOwnAllocator) {
+  const Ended ended = shell("MALLOC_CONF=stats_print:true bracket --version");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("opt.thp: \"always\""), std::string::npos) << ended.err;
+}
+
 TEST_F(Faults, UzawasIterationEndsWhenTheTimeIsSpent) {
   write("scene.toml", on_cells(20));
   const std::string slowly = "bracket run scene.toml --no-report --set solve.dual=uzawa --set refine.max_seconds=1";
