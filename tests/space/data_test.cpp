@@ -6,6 +6,7 @@
 
 #include "bounds/bounds.h"
 #include "tests/space/scenes.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket {
 namespace {
@@ -67,7 +68,7 @@ TEST(DataInSpace, what_is_left_out_of_a_displacement_refines_the_first_mesh) {
   };
   const auto left = bounds::run(sine(2, scene::Strategy::none)),
              coarse = bounds::run(sine(2, scene::Strategy::adaptive)),
-             fine = bounds::run(sine(8, scene::Strategy::none));
+             fine = bounds::run(sine(tests::sanitized ? 4 : 8, scene::Strategy::none));
   EXPECT_GT(left.levels[0].oscillation_energy, 0.5 * fine.lower);  // nothing is left of the sine at the vertices
   EXPECT_TRUE(left.problem.mesh.notes.empty());
   ASSERT_FALSE(coarse.problem.mesh.notes.empty());

@@ -12,6 +12,7 @@
 #include "tests/bounds/certificate/judge_given.h"
 #include "tests/bounds/certificate/judge_parts.h"
 #include "tests/bounds/certificate/noise.h"
+#include "tests/support/sanitized.h"
 
 /// The errors of displacements from anywhere where the solution is known, in rational numbers.
 namespace bracket::bounds {
@@ -83,13 +84,15 @@ template <class Check> void for_all_known(const Check& check) {
     const Problem<2>& first = one.exact.problem;
     const ExactStress sigma = solution(one);
     EXPECT_EQ(faults(first, sigma), std::vector<std::string>{});
-    for (const int degree : {1, 2})
+    for (const int degree : {2, 1}) {
+      if (tests::sanitized && degree == 1) break;
       for (const auto& [name, given] : tests::given_fields(first, degree, generator)) {
         SCOPED_TRACE(fmt::format("{}, {} of degree {}", one.name, name, degree));
         const ExactDisplacement s = on_supports(first, given);
         EXPECT_EQ(-complementary_energy(first, sigma, s), Exact(one.exact.energy));  // σ solves the problem
         check(one, given, squared_error(first, sigma, from_nodes(first.mesh, given)));
       }
+    }
   }
 }
 
@@ -132,7 +135,7 @@ TEST(GivenError, error_is_inside_whatever_it_is_judged_by) {
                                  given, square);
       }
   });
-  EXPECT_GT(judged, 500);
+  EXPECT_GT(judged, tests::sanitized ? 250 : 500);
 }
 
 // Both intervals of every level, and what they come to together.

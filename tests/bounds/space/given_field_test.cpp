@@ -9,6 +9,7 @@
 #include "scene/problem/refine.h"
 #include "tests/bounds/space/cases.h"
 #include "tests/bounds/space/judge.h"
+#include "tests/support/sanitized.h"
 
 namespace bracket::bounds::space {
 namespace {
@@ -99,7 +100,8 @@ void expect_distance(const Problem<3>& problem, const Displacement<3>& given, co
 TEST(SpaceGiven, the_distance_from_the_mean_stress_is_enclosed) {
   std::mt19937 generator(11);
   for (const auto& [name, problem, mean] : tests::all_cases())
-    for (const int degree : {1, 2}) {
+    for (const int degree : {2, 1}) {
+      if (tests::sanitized && degree == 1) break;
       SCOPED_TRACE(name);
       const auto given = tests::random_displacement(problem, degree, 0.02, generator);
       expect_distance(problem, given, mean, generator);
