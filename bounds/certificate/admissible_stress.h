@@ -276,20 +276,39 @@ Number block_energy(const scene::Problem<2>& problem, const ElasticForm<Number>&
   return sum;
 }
 
-/// S(λ) [HH81 (1.11)] of the stresses of balanced loads, with ∫ φ* of the contact laws from above. \tparam Sum with
-/// add() and value()
-template <class Number, class Sum>
-Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
-  const auto& mesh = problem.mesh;
-  const auto forms = elastic_forms<Number>(problem);
+/// The loads on edges with another kind of number, and no others.
+template <class To, class From> EdgeLoads<To> on_edges(const EdgeLoads<From>& loads) {
+  EdgeLoads<To> result{.degree = loads.degree, .bubbles = loads.bubbles};
+  result.edge.reserve(loads.edge.size());
+  for (const auto& [a, b] : loads.edge) result.edge.push_back({as<To>(a), as<To>(b)});
+  result.higher.reserve(loads.higher.size());
+  for (const auto& coefficient : loads.higher) result.higher.push_back(as<To>(coefficient));
+  return result;
+}
+
+/// ½ ∫ λ : C⁻¹ λ of the stresses of balanced loads. \tparam Of what each cell's is computed with, to be a `Number`
+template <class Number, class Sum, class Of>
+Number energy_of_blocks(const scene::Problem<2>& problem, const std::vector<ElasticForm<Of>>& forms,
+                        const EdgeLoads<Of>& loads) {
   const auto of_cells = [&](int begin, int end) {
     check_arithmetic();
     Sum sum;
-    for (int cell = begin; cell < end; ++cell) sum.add(block_energy(problem, forms[mesh.cell_body[cell]], loads, cell));
+    for (int cell = begin; cell < end; ++cell)
+      sum.add(block_energy(problem, forms[problem.mesh.cell_body[cell]], loads, cell));
     return sum.value();
   };
   Sum energy;
-  for (const Number& part : scene::of_chunks<Number>(static_cast<int>(mesh.cells.size()), of_cells)) energy.add(part);
+  for (const Number& part : scene::of_chunks<Number>(static_cast<int>(problem.mesh.cells.size()), of_cells))
+    energy.add(part);
+  return energy.value();
+}
+
+/// What S(λ) [HH81 (1.11)] has beside it, on supports and contacts, ∫ φ* of the contact laws from above. \tparam Sum
+/// with add() and value()
+template <class Number, class Sum>
+Number energy_of_boundary(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
+  const auto& mesh = problem.mesh;
+  Sum energy;
   const auto fixed = fixed_vertices(scene::first_of(problem));
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
@@ -311,6 +330,13 @@ Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& 
       energy.add(friction_paid(problem, contacts, pair, loads.along_tangent[pair.first]));
   }
   return energy.value();
+}
+
+/// S(λ) of the stresses of balanced loads.
+template <class Number, class Sum>
+Number stress_energy(const scene::Problem<2>& problem, const EdgeLoads<Number>& loads) {
+  return energy_of_blocks<Number, Sum>(problem, elastic_forms<Number>(problem), loads) +
+         energy_of_boundary<Number, Sum>(problem, loads);
 }
 
 }  // namespace bracket::bounds

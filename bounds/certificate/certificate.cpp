@@ -38,11 +38,11 @@ Corrections<Enclosure> functional_corrections(const scene::Problem<2>& problem, 
 
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                    const scene::Stress<dim>& stress) {
+                    const scene::Stress<dim>& stress, Digits digits) {
   if (std::string fault = fault_of(problem, displacement, stress); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(scene::first_of(problem));
   if (!unbalanced.empty()) return {.reason = unbalanced};
-  const Sides sides = both_sides(problem, corrections, displacement, stress);
+  const Sides sides = both_sides(problem, corrections, displacement, stress, digits);
   if (!sides.reason.empty()) return {.reason = sides.reason};
 
   Certificate certificate;
@@ -67,7 +67,8 @@ FunctionalBound certify_functional(const scene::Problem<dim>& problem, const sce
   if (!unbalanced.empty()) return {.reason = unbalanced};
   const auto [added, also_unbalanced] = functional_corrections(problem, stress);
   if (!also_unbalanced.empty()) return {.reason = also_unbalanced};
-  const auto [reason, above, below] = both_sides(problem, sum(own, factor, added), displacement, stress);
+  const auto [reason, above, below] =
+      both_sides(problem, sum(own, factor, added), displacement, stress, Digits::extended);
   if (!reason.empty()) return {.reason = reason};
 
   const Enclosure work = perturbing_work<Enclosure, LongSum>(problem, above.supports, above.field, added);
@@ -84,6 +85,6 @@ FunctionalBound certify_functional(const scene::Problem<dim>& problem, const sce
 
 template FunctionalBound certify_functional(const scene::Problem<2>&, const scene::Displacement<2>&,
                                             const scene::Stress<2>&);
-template Certificate certify(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&);
+template Certificate certify(const scene::Problem<2>&, const scene::Displacement<2>&, const scene::Stress<2>&, Digits);
 
 }  // namespace bracket::bounds

@@ -8,6 +8,13 @@
 
 namespace bracket::bounds {
 
+/// What the energies of cells are enclosed in.
+enum class Digits {
+  extended,  ///< precision, for as narrow bounds as there are
+  enough,    ///< doubles, several times as quick, where they widen the interval by less than a hundredth and tell each
+             ///< energy from zero; else extended precision
+};
+
 /// Bounds that hold in floating point, whatever the solvers did [HH81 §3]. Displacements are moved into K exactly, edge
 /// loads into exact balance with the data, and both energies are enclosed with every rounding error accounted for.
 struct Certificate {
@@ -21,11 +28,12 @@ struct Certificate {
 /// \param displacement, stress need not solve anything; the closer they do, the closer the bounds
 template <int dim>
 Certificate certify(const scene::Problem<dim>& problem, const scene::Displacement<dim>& displacement,
-                    const scene::Stress<dim>& stress);
-/// In space displacements have degree 1 or 2, stresses degree 1, and contacts no law but that sides keep together.
+                    const scene::Stress<dim>& stress, Digits digits = Digits::extended);
+/// In space displacements have degree 1 or 2, stresses degree 1, and contacts no law but that sides keep together;
+/// digits are extended.
 template <>
 Certificate certify(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
-                    const scene::Stress<3>& stress);
+                    const scene::Stress<3>& stress, Digits);
 
 /// A bound of the functional J of a perturbation (scene/problem/perturbation.h) at the solution of the problem that it
 /// was added to, f times: by docs/theory.md §10, for every v in K and every λ in K⁺ of the perturbed problem,

@@ -165,31 +165,50 @@ Number facet_work(const scene::Mesh<2>& mesh, const PlainField& field, const Mov
   return work;
 }
 
-/// L of the field that `field` stands for [HH81 §1], with ∫ φ of its contact laws.
-/// \param corrections as corrected() has them   \tparam Sum with add() and value()
-template <class Number, class Sum>
-FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
-                                 const std::vector<Corrected<Number>>& corrections) {
-  const auto& mesh = problem.mesh;
-  const MovedField<Number> all = moved<Number>(problem, supports, field);
-  const auto forms = elastic_forms<Number>(problem);
+/// The same moved field with another kind of number.
+template <class To, class From> MovedField<To> moved_as(const MovedField<From>& moved) {
+  const auto all = [](const std::vector<Vector2<From>>& vectors) {
+    std::vector<Vector2<To>> result;
+    result.reserve(vectors.size());
+    for (const auto& v : vectors) result.push_back(as<To>(v));
+    return result;
+  };
+  return {all(moved.shifts), {all(moved.offsets.edge), all(moved.offsets.cell)}};
+}
+
+/// ½ A(v,v). \tparam Of what each cell's is computed with, to be a `Number`   \tparam Sum with add() and value()
+template <class Number, class Sum, class Of>
+Number strain_energy(const scene::Problem<2>& problem, const std::vector<ElasticForm<Of>>& forms,
+                     const PlainField& field, const MovedField<Of>& moved) {
   const auto of_cells = [&](int begin, int end) {
     check_arithmetic();
-    Sum of_strain, of_force;
-    for (int cell = begin; cell < end; ++cell) {
-      const int body = mesh.cell_body[cell];
-      of_strain.add(cell_strain_energy(problem, forms[body], field, all, cell));
-      if (has_force(problem, body))
-        of_force.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
-    }
-    return std::array<Number, 2>{of_strain.value(), of_force.value()};
+    Sum sum;
+    for (int cell = begin; cell < end; ++cell)
+      sum.add(cell_strain_energy(problem, forms[problem.mesh.cell_body[cell]], field, moved, cell));
+    return sum.value();
   };
-  Sum strain, work;
-  using Parts = std::array<Number, 2>;
-  for (const auto& [of_strain, of_force] : scene::of_chunks<Parts>(static_cast<int>(mesh.cells.size()), of_cells)) {
-    strain.add(of_strain);
-    work.add(of_force);
-  }
+  Sum energy;
+  for (const Number& part : scene::of_chunks<Number>(static_cast<int>(problem.mesh.cells.size()), of_cells))
+    energy.add(part);
+  return energy.value();
+}
+
+/// What L has beside it [HH81 §1]: −ℓ(v), and ∫ φ of its contact laws.
+/// \param corrections as corrected() has them   \tparam Sum with add() and value()
+template <class Number, class Sum>
+Number load_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                   const MovedField<Number>& all, const std::vector<Corrected<Number>>& corrections) {
+  const auto& mesh = problem.mesh;
+  const auto of_cells = [&](int begin, int end) {
+    check_arithmetic();
+    Sum sum;
+    for (int cell = begin; cell < end; ++cell)
+      if (const int body = mesh.cell_body[cell]; has_force(problem, body))
+        sum.add(cell_work(problem, field, all, body_force<Number>(problem, body), cell));
+    return sum.value();
+  };
+  Sum work;
+  for (const Number& part : scene::of_chunks<Number>(static_cast<int>(mesh.cells.size()), of_cells)) work.add(part);
   for (std::size_t f = 0; f < problem.facets.size(); ++f) {
     const int facet = static_cast<int>(f);
     if (!carries_load(problem, corrections, facet)) continue;
@@ -199,11 +218,19 @@ FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const Support
     if (!problem.perturbed.by) break;
     work.add(Number(problem.perturbed.loads) * contact_load_work<Number>(problem, supports, field, pair));
   }
-  const Number half_a = strain.value();
-  FieldEnergy<Number> energy{half_a, half_a - work.value()};
+  Number energy = -work.value();
   for (const auto& pair : problem.contact)
-    if (has_law(pair.law)) energy.total += law_energy<Number>(problem, supports, field, pair);
+    if (has_law(pair.law)) energy += law_energy<Number>(problem, supports, field, pair);
   return energy;
+}
+
+/// L of the field that `field` stands for, with ∫ φ of its contact laws.
+template <class Number, class Sum>
+FieldEnergy<Number> field_energy(const scene::Problem<2>& problem, const Supports& supports, const PlainField& field,
+                                 const std::vector<Corrected<Number>>& corrections) {
+  const MovedField<Number> all = moved<Number>(problem, supports, field);
+  const Number strain = strain_energy<Number, Sum>(problem, elastic_forms<Number>(problem), field, all);
+  return {strain, strain + load_energy<Number, Sum>(problem, supports, field, all, corrections)};
 }
 
 }  // namespace bracket::bounds

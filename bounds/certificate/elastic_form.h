@@ -72,6 +72,14 @@ template <class Number> std::vector<ElasticForm<Number>> elastic_forms(const sce
   return forms;
 }
 
+/// The same forms with another kind of number.
+template <class To, class From> std::vector<ElasticForm<To>> forms_as(const std::vector<ElasticForm<From>>& forms) {
+  std::vector<ElasticForm<To>> result;
+  for (const auto& [d, l, half_d, half_inverse] : forms)
+    result.push_back({{To(d[0]), To(d[1]), To(d[2])}, {To(l[0]), To(l[1]), To(l[2])}});
+  return result;
+}
+
 /// ∫ of the energy over a triangle of a polynomial, given by its Bernstein coefficients.
 /// \param energy of a field's value   \param doubled_area of the triangle
 template <class Number, std::size_t n, class Energy>

@@ -180,7 +180,7 @@ GivenDistance certify_distance(const scene::Problem<2>& problem, const scene::Di
   if (std::string fault = displacement_fault(first, given); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = corrected<Enclosure, LongSum>(first);
   if (!unbalanced.empty()) return {.reason = unbalanced};
-  const Sides sides = both_sides(problem, corrections, displacement, stress);
+  const Sides sides = both_sides(problem, corrections, displacement, stress, Digits::extended);
   if (!sides.reason.empty()) return {.reason = sides.reason};
 
   const MovedField<Enclosure> own = moved<Enclosure>(problem, sides.above.supports, sides.above.field);

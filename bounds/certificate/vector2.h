@@ -21,6 +21,8 @@ template <class Number> Vector2<Number> vector2(const scene::Vector<2>& v) { ret
 template <class Number> Vector2<Number> vector2(const scene::TwofoldVector<2>& v) {
   return {Number(v.value[0]) + Number(v.rest[0]), Number(v.value[1]) + Number(v.rest[1])};
 }
+/// The same vector with another kind of number.
+template <class To, class From> Vector2<To> as(const Vector2<From>& v) { return {To(v.x), To(v.y)}; }
 /// The vector from a to b: exact, or with the rounding of one subtraction.
 template <class Number> Vector2<Number> between(const scene::Vector<2>& a, const scene::Vector<2>& b) {
   return vector2<Number>(b) - vector2<Number>(a);

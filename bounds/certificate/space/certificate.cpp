@@ -40,7 +40,7 @@ Corrections<Enclosure> functional_corrections(const scene::Problem<3>& problem, 
 
 template <>
 Certificate certify(const scene::Problem<3>& problem, const scene::Displacement<3>& displacement,
-                    const scene::Stress<3>& stress) {
+                    const scene::Stress<3>& stress, Digits) {
   using scene::Enclosure, scene::LongSum;
   if (std::string fault = space::fault_of(problem, displacement, stress); !fault.empty()) return {.reason = fault};
   const auto [corrections, unbalanced] = space::corrected<Enclosure, LongSum>(scene::first_of(problem));

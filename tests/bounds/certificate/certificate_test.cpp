@@ -73,6 +73,55 @@ TEST(Certificate, contains_the_exact_energies_and_is_narrow) {
   });
 }
 
+TEST(Certificate, with_enough_digits_contains_the_exact_energies_and_is_a_hundredth_wider) {
+  int in_doubles = 0, seen = 0;
+  for (const tests::Case& c : tests::cases())
+    for (const int degree : {1, 2, 3, 4}) {
+      if (++seen % tests::one_in != 0) continue;
+      SCOPED_TRACE(c.name + ", degree " + std::to_string(degree));
+      const auto problem = tests::problem_of(c);
+      const auto u = primal::solve(problem, degree).displacement;
+      const auto stress = dual::solve(problem, scene::stress_degree(degree)).stress;
+      const Certificate narrow = certify(problem, u, stress), enough = certify(problem, u, stress, Digits::enough);
+      ASSERT_TRUE(narrow.valid && enough.valid) << narrow.reason << enough.reason;
+      const Judged exact = judged(problem, u, stress);
+      EXPECT_EQ(faults(problem, enough, exact), std::vector<std::string>{});
+      // The width between the middles, m, is at most R more than it is exactly, and R at most m/256; then the bounds
+      // are rounded outward.
+      const Exact between = potential_energy(problem, exact.displacement, exact.stress.added) +
+                            complementary_energy(problem, exact.stress, exact.displacement);
+      const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::abs(enough.lower);
+      EXPECT_LE(enough.upper - enough.lower,
+                std::max(257.0 / 255 * rounded(between) + rounding, narrow.upper - narrow.lower));
+      in_doubles += enough.upper - enough.lower > narrow.upper - narrow.lower ? 1 : 0;
+    }
+  EXPECT_GT(4 * in_doubles, seen / tests::one_in);
+}
+
+TEST(Certificate, with_enough_digits_knows_an_energy_of_zero) {
+  // At rest without a load, and displacements that stretch the block; or displacements of rest, and stresses.
+  scene::Scene<2> s;
+  s.blocks = {tests::block("block", 0, 1, 0, 1, 3, 3)};
+  s.bodies = {{"block", scene::isotropic<2>(2, 0.3, scene::Plane::strain)}};
+  s.boundary = {{"block.bottom", tests::fixed(0, 0)}};
+  const auto problem = scene::fix_data(s, scene::build_mesh(s));
+  for (const int degree : {1, 2, 3, 4}) {
+    const auto rest = primal::solve(problem, degree).displacement;
+    const auto none = dual::solve(problem, scene::stress_degree(degree)).stress;
+    auto stretch = rest;
+    stretch.vertex.back() = {0.1, 0.1};
+    const Certificate stretched = certify(problem, stretch, none, Digits::enough);
+    EXPECT_EQ(stretched.lower, 0);
+    EXPECT_GT(stretched.upper, 0);
+    auto some = none;
+    for (auto& cell : some.cell)
+      for (auto& value : cell) value.setConstant(0.1);
+    const Certificate stressed = certify(problem, rest, some, Digits::enough);
+    EXPECT_LT(stressed.lower, 0);
+    EXPECT_EQ(stressed.upper, 0);
+  }
+}
+
 TEST(Certificate, nothing_penetrates_however_little) {
   // Along the wall as nearly as doubles can: some vertices go into it by less than the enclosures can tell from zero.
   tests::Case c = {"touching_at_rest", tests::touching_end(0), true};
@@ -159,7 +208,9 @@ TEST(Certificate, holds_exactly_on_random_scenes) {
     const Certificate certificate = certify(problem, u, stress);
     ASSERT_TRUE(certificate.valid) << certificate.reason;
     ++certified;
-    expect_holds_exactly(problem, certificate, judged(problem, u, stress));
+    const Judged exact = judged(problem, u, stress);
+    expect_holds_exactly(problem, certificate, exact);
+    EXPECT_EQ(faults(problem, certify(problem, u, stress, Digits::enough), exact), std::vector<std::string>{});
   }
   EXPECT_GT(3 * certified, scenes / tests::one_in);
 }

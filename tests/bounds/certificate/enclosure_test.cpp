@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "bounds/certificate/double_enclosure.h"
 #include "bounds/certificate/equilibrate.h"
 #include "tests/bounds/certificate/rational.h"
 
@@ -187,6 +188,90 @@ TEST(Enclosure, is_as_narrow_as_its_arithmetic) {
   EXPECT_LE(third.radius, 1.001L * rounding::half_ulp * third.middle);
   EXPECT_LE((third * Enclosure(0.1)).radius, 2.001L * rounding::half_ulp * third.middle / 10);
   EXPECT_LE(root(Enclosure(2)).radius, 1.001L * rounding::half_ulp * std::sqrt(2.0L));
+}
+
+/// In doubles, what an enclosure holds.
+DoubleEnclosure in_doubles(const Enclosure& x) {
+  const DoubleEnclosure result(x);
+  const Enclosure back = result;
+  EXPECT_TRUE(contains(back, least(x)) && contains(back, most(x)));
+  return result;
+}
+
+TEST(DoubleEnclosure, holds_every_sum_difference_product_and_quotient) {
+  int divided = 0, refused = 0;
+  for_pairs(100, [&](const Enclosure& wide_x, const Enclosure& wide_y, const Rational& a, const Rational& b) {
+    const DoubleEnclosure x = in_doubles(wide_x), y = in_doubles(wide_y);
+    EXPECT_TRUE(contains(x + y, a + b));
+    EXPECT_TRUE(contains(x - y, a - b));
+    EXPECT_TRUE(contains(x * y, a * b));
+    EXPECT_TRUE(contains(-x, -a));
+    const DoubleEnclosure quotient = x / y;
+    if (contains(y, 0)) {
+      EXPECT_FALSE(std::isfinite(quotient.radius));
+      ++refused;
+    } else if (std::isfinite(quotient.radius)) {
+      EXPECT_TRUE(contains(quotient, a / b));
+      ++divided;
+    }
+  });
+  EXPECT_GT(divided, trials);
+  EXPECT_GT(refused, 0);
+}
+
+TEST(DoubleEnclosure, holds_every_rounding_of_exact_numbers) {
+  RandomReals random(10);
+  for (int trial = 0; trial < trials; ++trial) {
+    const double a =
+        static_cast<double>(random.number(trial % 2 == 0 ? 140 : 1)) * (1 + 0x1p-52 * random.uniform(0, 4));
+    const double b = static_cast<double>(random.number(1));
+    const DoubleEnclosure x(a), y(b);
+    ASSERT_TRUE(contains(x + y, Rational(a) + Rational(b)));
+    ASSERT_TRUE(contains(x * x, Rational(a) * Rational(a)));
+    ASSERT_TRUE(contains(x * y, Rational(a) * Rational(b)));
+    if (b != 0) {
+      ASSERT_TRUE(contains(x / y, Rational(a) / Rational(b)));
+    }
+  }
+  // The exact halves of two units in the last place.
+  const DoubleEnclosure one(1), tie(0x1p-53);
+  EXPECT_TRUE(contains(one + tie, 1 + Rational(0x1p-53L)));
+  EXPECT_LE((one + tie).radius, 1.001 * 0x1p-53);
+}
+
+TEST(DoubleEnclosure, loses_nothing_where_doubles_underflow_and_is_no_number_where_they_overflow) {
+  const double tiny = std::numeric_limits<double>::denorm_min(), largest = std::numeric_limits<double>::max();
+  const DoubleEnclosure x(tiny), small(1e-200, 1e-215), large(largest);
+  EXPECT_TRUE(contains(x * x, Rational(tiny) * Rational(tiny)));
+  EXPECT_TRUE(contains(small * small, Rational(1e-200L) * Rational(1e-200L)));
+  EXPECT_TRUE(contains(x / DoubleEnclosure(3), Rational(tiny) / 3));
+  EXPECT_FALSE(std::isfinite((DoubleEnclosure(1) / x).radius));
+  EXPECT_FALSE(std::isfinite((large * large).radius));
+  EXPECT_FALSE(std::isfinite((large + large).radius));
+  EXPECT_FALSE(std::isfinite(DoubleEnclosure(Enclosure(4e400L)).radius));
+  EXPECT_FALSE(std::isfinite(DoubleEnclosure(Enclosure(std::numeric_limits<Real>::quiet_NaN())).radius));
+}
+
+TEST(DoubleEnclosure, chains_of_operations_hold_the_exact_value) {
+  RandomReals random(11);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Enclosure first = random.enclosure(10);
+    DoubleEnclosure x = in_doubles(first);
+    Rational value = random.within(first)[3];
+    for (int step = 0; step < 30; ++step) {
+      const Enclosure other = random.enclosure(3);
+      const Rational own = random.within(other)[3];
+      const DoubleEnclosure y = in_doubles(other);
+      switch (step % 4) {
+        case 0: x += y, value += own; break;
+        case 1: x = x * y, value *= own; break;
+        case 2: x -= y, value -= own; break;
+        default:
+          if (std::abs(y.middle) > 2 * y.radius) x = x / y, value /= own;
+      }
+      ASSERT_TRUE(contains(x, value)) << "trial " << trial << ", step " << step;
+    }
+  }
 }
 
 TEST(LongSum, holds_the_sum_and_does_not_widen_with_the_number_of_terms) {

@@ -72,8 +72,9 @@ TEST(Sabotage, garbage_gives_a_wide_interval_or_a_reason) {
     for (const int degree : {1, 2, 3, 4}) {
       const auto [u, stress] = solved(problem, degree);
       for (int trial = 0; trial < 10; ++trial) {
+        const Digits digits = trial % 2 == 0 ? Digits::extended : Digits::enough;
         const Certificate certificate =
-            certify(problem, tests::noisy(u, 0, 1, generator), tests::noisy(stress, 0, 1, generator));
+            certify(problem, tests::noisy(u, 0, 1, generator), tests::noisy(stress, 0, 1, generator), digits);
         EXPECT_NE(certificate.valid, !certificate.reason.empty());
         if (!certificate.valid) continue;
         ++valid;
@@ -94,7 +95,10 @@ TEST(Sabotage, spoilt_fields_are_admissible_exactly) {
       const auto noisy_stress = tests::noisy(stress, 1, 1e-3, generator);
       const Certificate certificate = certify(problem, noisy_u, noisy_stress);
       ASSERT_TRUE(certificate.valid) << certificate.reason;
-      expect_holds_exactly(problem, certificate, judged(problem, noisy_u, noisy_stress));
+      const Judged exact = judged(problem, noisy_u, noisy_stress);
+      expect_holds_exactly(problem, certificate, exact);
+      const Certificate enough = certify(problem, noisy_u, noisy_stress, Digits::enough);
+      EXPECT_EQ(faults(problem, enough, exact), std::vector<std::string>{});
     }
 }
 
