@@ -67,6 +67,9 @@ void add_run(CLI::App& app, Options& options) {
   command->add_flag("--last-level", options.run.last_level, "Write the fields of the last level only");
   command->add_flag("--png", options.run.png, "Pictures as PNG too");
   command->add_flag("--no-report", options.no_report, "Leave report, sheet and pictures out");
+  command->add_option("--ranks", options.run.ranks, "Displacements by N processes (MPI), in space")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
 }
 
 void add_studies(CLI::App& app, Options& options) {
@@ -160,6 +163,17 @@ std::vector<std::string> with_command(std::vector<std::string> words, const CLI:
   return words;
 }
 
+/// The words of a run without --ranks and its value.
+std::vector<std::string> without_ranks(const std::vector<std::string>& words) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == "--ranks")
+      ++i;
+    else if (!words[i].starts_with("--ranks="))
+      result.push_back(words[i]);
+  return result;
+}
+
 void print_help(const CLI::App& app, const std::string& topic) {
   if (topic == "scene") {
     std::cout << scene_keys_text();
@@ -175,7 +189,7 @@ void print_help(const CLI::App& app, const std::string& topic) {
 
 }  // namespace
 
-Ending perform(std::vector<std::string> words) {
+Ending perform(std::vector<std::string> words, const primal::Engine<3>* engine) {
   CLI::App app(introduction, "bracket");
   app.footer(statuses);
   app.get_formatter()->column_width(24);
@@ -189,6 +203,7 @@ Ending perform(std::vector<std::string> words) {
   add_the_rest(app, options);
 
   words = with_command(std::move(words), app);
+  const std::vector<std::string> given = words;
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
     app.parse(std::move(words));
@@ -200,7 +215,10 @@ Ending perform(std::vector<std::string> words) {
   RunOptions& run = options.run;
   run.pictures = !options.no_report;
   const auto asked = [&app](const char* command) { return app.get_subcommand(command)->parsed(); };
-  if (asked("run")) return apps::run(run);
+  run.engine = engine;
+  if (engine != nullptr && (!asked("run") || run.ranks > 0))
+    throw Error(Status::input, "bracket-mpi is for bracket run alone, without --ranks");
+  if (asked("run")) return run.ranks > 0 ? run_on_ranks(run, without_ranks(given)) : apps::run(run);
   if (asked("study")) return study(run.scene, run.overrides, run.folder);
   if (asked("extremes")) return extremes(run.scene, run.overrides, run.folder);
   if (asked("assess")) return assess(options.assess);

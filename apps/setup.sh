@@ -3,8 +3,9 @@
 
 packages="g++ cmake ninja-build lld
   libdeal.ii-dev libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas0-pthread libopenblas-dev libboost-dev libgmp-dev
-  libtbb-dev libjemalloc-dev pkg-config
+  libtbb-dev libjemalloc-dev
   libvtk9-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev
+  openmpi-bin pkgconf
   gnuplot-nox pybind11-dev python3-dev python3-numpy ${more_packages:-}"
 
 missing=

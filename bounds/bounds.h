@@ -8,6 +8,7 @@
 #include "bounds/estimate/estimate.h"
 #include "bounds/quantities/quantities.h"
 #include "contact/contact.h"
+#include "primal/primal.h"
 
 /// The bracket −S(λ_h) ≤ L(u) ≤ L(u_h) and what follows from it (docs/theory.md §1). Everything here is computed from
 /// plain field values by code of its own: what certifies shares nothing with what solves.
@@ -105,9 +106,13 @@ template <> scene::Problem<3> balanced(scene::Problem<3> problem, int degree);
 /// memory does not suffice for a level, or no thread can be had for it, the run ends like one whose budget is spent.
 /// Quantities are computed on the last level and on earlier ones of at most a quarter of its cells, more often where a
 /// target of theirs is all that is left to reach; the goal on each. The run is done when all targets are met.
+/// \param engine who solves for displacements; empty: primal::Solver. What another one has is certified like its
+///        fields, so that its errors widen the interval. It knows neither quantities nor contact laws.
 /// \throw scene::Error for all that the user can mend, as scene::check(); ill_posed, too, where a motion that nothing
-///        resists changes a quantity both ways
-template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {});
+///        resists changes a quantity both ways; input, where an engine is asked for what it does not know
+template <int dim>
+Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer = {},
+                 const primal::Engine<dim>& engine = {});
 
 /// The same from data that are fixed already and may have been changed since: of `scene` only the settings count, and
 /// nothing is known of what fixing the data did (Level::oscillation_energy is 0).

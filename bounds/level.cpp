@@ -83,8 +83,31 @@ Examined<dim> solve_side_by_side(const Meshed<dim>& meshed, const scene::Scene<d
   return solved;
 }
 
+/// The same by another solver's displacements.
 template <int dim>
-Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock) {
+Examined<dim> solve_by(const primal::Engine<dim>& engine, const Meshed<dim>& meshed, const scene::Scene<dim>& scene) {
+  Clock clock;
+  const auto& problem = meshed.problem;
+  Examined<dim> solved;
+  primal::Solved<dim> found = engine(problem, scene.solve.degree, meshed.primal_closed);
+  const auto& pressed = found.with_pressure;
+  solved.primal = std::move(found.displacements);
+  solved.level.seconds.primal = clock.lap();
+  solved.unsolved = solved.primal.reason.empty() ? pressed.reason : solved.primal.reason;
+  if (!solved.unsolved.empty()) {
+    solved.dual.termination = pressed.termination;
+    return solved;
+  }
+  solved.dual = dual::local(problem, pressed.pressure, pressed.displacement, sweeps_of(scene, problem.mesh));
+  solved.unsolved = solved.dual.reason;
+  solved.level.seconds.dual = clock.seconds();
+  return solved;
+}
+
+template <int dim>
+Examined<dim> solve_both(const Meshed<dim>& meshed, const scene::Scene<dim>& scene, const Clock& run_clock,
+                         const primal::Engine<dim>& engine) {
+  if (engine) return solve_by(engine, meshed, scene);
   if constexpr (dim == 3) return solve_in_turn(meshed, scene);
   if constexpr (dim == 2)
     return scene.solve.dual == scene::Dual::local ? solve_in_turn(meshed, scene)
@@ -189,12 +212,12 @@ template <int dim> int sweeps_of(const scene::Scene<dim>& scene, const scene::Me
 
 template <int dim>
 Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
-                      const Clock& run_clock, const Observer<dim>& observer) {
+                      const Clock& run_clock, const Observer<dim>& observer, const primal::Engine<dim>& engine) {
   const Clock clock;
   const auto& problem = meshed.problem;
   if (observer.stage && !meshed.step)
     observer.stage(fmt::format("displacements and stresses on {} cells", problem.mesh.cells.size()));
-  Examined<dim> examined = solve_both(meshed, scene, run_clock);
+  Examined<dim> examined = solve_both(meshed, scene, run_clock, engine);
   if (!examined.unsolved.empty()) return examined;
 
   if (observer.stage) observer.stage("estimate");
@@ -259,7 +282,7 @@ Objection objection(const Outcome<dim>& earlier, const scene::Problem<dim>& prob
   template struct Examined<dim>;                                                                          \
   template int sweeps_of(const scene::Scene<dim>&, const scene::Mesh<dim>&);                              \
   template Examined<dim> examine(const scene::Scene<dim>&, const Meshed<dim>&, const std::vector<Level>&, \
-                                 const Clock&, const Observer<dim>&);                                     \
+                                 const Clock&, const Observer<dim>&, const primal::Engine<dim>&);         \
   template Objection objection(const Outcome<dim>&, const scene::Problem<dim>&, const Examined<dim>&, bool);
 INSTANTIATE(2)
 INSTANTIATE(3)

@@ -59,9 +59,10 @@ template <int dim> int sweeps_of(const scene::Scene<dim>& scene, const scene::Me
 /// {displacement | stress} → certificate, bracket, indicators.
 /// \param earlier levels of the run
 /// \param run_clock since it began: Uzawa's iteration, alone in being slow, ends when the time is spent
+/// \param engine who solves for displacements; empty: we ourselves
 template <int dim>
 Examined<dim> examine(const scene::Scene<dim>& scene, const Meshed<dim>& meshed, const std::vector<Level>& earlier,
-                      const Clock& run_clock, const Observer<dim>& observer);
+                      const Clock& run_clock, const Observer<dim>& observer, const primal::Engine<dim>& engine);
 
 /// Why a level does not carry a run on.
 struct Objection {

@@ -171,8 +171,10 @@ template <int dim> int count_of_cells(const Meshed<dim>& meshed) {
 /// A run, level by level: problem → {displacement | stress} → certificate, bracket, indicators → marks → problem → …
 /// Where the machine does not hold more it ends; the levels so far stand.
 /// \param first makes the problem on the first mesh
+/// \param engine as run() has it
 template <int dim, class First>
-Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const Observer<dim>& observer) {
+Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const Observer<dim>& observer,
+                      const primal::Engine<dim>& engine) {
   const Clock clock;
   const contact::BlasThreads threads(blas_threads<dim>());
   const scene::Refine& refine = scene.refine;
@@ -200,7 +202,7 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
   const auto examined_on = [&](Meshed<dim>& on) {
     if constexpr (dim == 2)
       if (has_coulomb(on.problem)) on = with_friction_settled(std::move(on), scene.solve.degree, observer);
-    return examine(scene, on, outcome.levels, clock, observer);
+    return examine(scene, on, outcome.levels, clock, observer, engine);
   };
   try {
     Meshed<dim> meshed = first();
@@ -283,14 +285,19 @@ Outcome<dim> run_from(const scene::Scene<dim>& scene, const First& first, const 
 
 }  // namespace
 
-template <int dim> Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer) {
+template <int dim>
+Outcome<dim> run(const scene::Scene<dim>& scene, const Observer<dim>& observer, const primal::Engine<dim>& engine) {
+  if (engine && asks_for_quantities(scene))
+    throw scene::Error(Status::input,
+                       "quantities are not yet computed by several processes: run without --ranks, or leave "
+                       "[[quantity]] and zones out");
   const auto first = [&] {
     if (observer.stage) observer.stage("mesh");
     scene::Mesh<dim> mesh = scene::build_mesh(scene);
     const std::vector<std::string> notes = mesh.notes;
     return Meshed<dim>{.problem = scene::fix_data(scene, std::move(mesh)), .notes = notes};
   };
-  return run_from(scene, first, observer);
+  return run_from(scene, first, observer, engine);
 }
 
 template <int dim>
@@ -308,13 +315,13 @@ Outcome<dim> run(const scene::Scene<dim>& scene, scene::Problem<dim> problem, co
                        "a problem with springs or friction needs solve.dual = \"hybrid\": stresses built locally know "
                        "neither");
   const auto first = [&] { return Meshed<dim>{.problem = std::move(problem), .changed = true}; };
-  return run_from(scene, first, observer);
+  return run_from(scene, first, observer, {});
 }
 
-#define INSTANTIATE(dim)                                                     \
-  template struct Outcome<dim>;                                              \
-  template struct Observer<dim>;                                             \
-  template Outcome<dim> run(const scene::Scene<dim>&, const Observer<dim>&); \
+#define INSTANTIATE(dim)                                                                                 \
+  template struct Outcome<dim>;                                                                          \
+  template struct Observer<dim>;                                                                         \
+  template Outcome<dim> run(const scene::Scene<dim>&, const Observer<dim>&, const primal::Engine<dim>&); \
   template Outcome<dim> run(const scene::Scene<dim>&, scene::Problem<dim>, const Observer<dim>&);
 INSTANTIATE(2)
 INSTANTIATE(3)

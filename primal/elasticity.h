@@ -7,8 +7,13 @@
 
 namespace bracket::primal {
 
-/// What one cell adds: its stiffness ∫ ε(B_i) : C ε(B_j) for the Bernstein polynomials of scene::control_points(), as
-/// many rows a point as there are dimensions.
+/// ∫ ε(B_i) : C ε(B_j) over a cell for the Bernstein polynomials of scene::control_points(), as many rows a point as
+/// there are dimensions.
+template <int dim>
+void set_cell_stiffness(const std::array<scene::Vector<dim>, dim + 1>& corners,
+                        const scene::Elasticity<dim>& elasticity, int degree, Eigen::MatrixXd& stiffness);
+
+/// What one cell adds: its stiffness, as set_cell_stiffness() has it.
 using UseCell = std::function<void(int cell, const Eigen::MatrixXd& stiffness)>;
 
 /// Calls `use` for each cell of a component of the mesh, in its order.

@@ -4,6 +4,7 @@
 
 #include "primal/approach.h"
 #include "primal/factorised.h"
+#include "primal/matched_pressure.h"
 #include "scene/problem/law.h"
 
 namespace bracket::primal {
@@ -161,6 +162,90 @@ PressureResult<dim> Solver<dim>::solve_with_pressure(const Problem<dim>& problem
   return PressureSolver<dim>(*this, problem).solve(problem, closed);
 }
 
+template <int dim>
+MatchedPressure<dim> matched_pressure(const Problem<dim>& problem, const Nodes<dim>& nodes, const ContactForces& forces,
+                                      const std::vector<char>& closed) {
+  const Approach<dim> approach{nodes, problem};
+  const auto m = static_cast<Eigen::Index>(dim * problem.contact.size());
+  const std::size_t n_bodies = nodes.body_nodes.size();
+  MatchedPressure<dim> result;
+  for (std::size_t b = 0; b < n_bodies; ++b) result.force.push_back(Eigen::VectorXd::Zero(nodes.body_nodes[b].back()));
+  if (m == 0) return result;
+  std::vector<Row> rows;
+  std::vector<std::vector<int>> place;  // of each body's unknowns among those that contact touches, −1: it does not
+  for (std::size_t b = 0; b < n_bodies; ++b) place.emplace_back(nodes.body_nodes[b].back(), -1);
+  int n = 0;
+  for (Eigen::Index i = 0; i < m; ++i) {
+    rows.push_back(moment(approach, static_cast<int>(i) / dim, static_cast<int>(i) % dim));
+    for (const auto& entry : rows.back().entries)
+      if (int& at = place[entry.body][entry.unknown]; at < 0) at = n++;
+  }
+  int motions = 0;
+  for (const Eigen::MatrixXd& rigid : forces.rigid) motions += static_cast<int>(rigid.cols());
+  // One body of springs between the contact and rigid bodies, whose free motions are unknowns of their own.
+  contact::System springs;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(n + motions);
+  Triplets stiffness, entries;
+  springs.rigid = Eigen::MatrixXd::Zero(n + motions, motions);
+  springs.rigid.bottomRows(motions).setIdentity();
+  for (int i = 0; i <= n + motions; ++i) springs.nodes.push_back(i);
+  std::vector<int> first_motion;
+  for (std::size_t b = 0; b < n_bodies; ++b) {
+    first_motion.push_back(b == 0 ? n : first_motion.back() + static_cast<int>(forces.rigid[b - 1].cols()));
+    load.segment(first_motion[b], forces.rigid[b].cols()) = forces.rigid[b].transpose() * forces.load[b];
+    for (std::size_t u = 0; u < place[b].size(); ++u) {
+      if (place[b][u] < 0) continue;
+      const auto unknown = static_cast<Eigen::Index>(u);
+      stiffness.emplace_back(place[b][u], place[b][u], forces.stiffness[b][unknown]);
+      load[place[b][u]] = forces.force[b][unknown];
+    }
+  }
+  contact::Limits limits{Eigen::VectorXd(m), Eigen::VectorXd(m)};
+  std::vector<char> guess;
+  Eigen::VectorXd left(m);  // of the gap
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (const auto& [body, unknown, coefficient] : rows[i].entries) {
+      entries.emplace_back(static_cast<int>(i), place[body][unknown], coefficient);
+      for (Eigen::Index k = 0; k < forces.rigid[body].cols(); ++k)
+        entries.emplace_back(static_cast<int>(i), first_motion[body] + static_cast<int>(k),
+                             coefficient * forces.rigid[body](unknown, k));
+    }
+    left[i] = rows[i].bound;
+    for (const auto& [body, unknown, coefficient] : rows[i].entries)
+      left[i] -= coefficient * forces.displacement[body][unknown];
+    limits.lower[i] = rows[i].lower;
+    limits.upper[i] = rows[i].upper;
+    if (!closed.empty()) guess.push_back((closed[i / dim] & scene::touches) != 0);
+  }
+  // They are pinned, as all of them are a motion; so that stiffness serves as a pivot alone.
+  for (int i = n; i < n + motions; ++i) stiffness.emplace_back(i, i, 1);
+  springs.stiffness.resize(n + motions, n + motions);
+  springs.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  springs.rows.resize(m, n + motions);
+  springs.rows.setFromTriplets(entries.begin(), entries.end());
+  springs.rows.prune([](auto, auto, double value) { return value != 0; });
+  const Triplets of_jumps = jumps(approach);
+  Eigen::SparseMatrix<double> added(m, m);
+  added.setFromTriplets(of_jumps.begin(), of_jumps.end());
+  std::vector<Eigen::SparseMatrix<double>> of_springs = {springs.rows};
+  std::vector<contact::System> systems;
+  systems.push_back(std::move(springs));
+  const contact::Solution solution = contact::Bodies(std::move(systems), true)
+                                         .with_rows(std::move(of_springs), std::move(added))
+                                         .solve({load}, left, guess, limits);
+  result.termination = solution.termination;
+  if (solution.termination != contact::Termination::solved) return result;
+  result.pressure.resize(problem.contact.size());
+  for (Eigen::Index i = 0; i < m; ++i) {
+    result.pressure[i / dim][i % dim] = solution.pressure[i];
+    for (const auto& [body, unknown, coefficient] : rows[i].entries)
+      result.force[body][unknown] += coefficient * solution.pressure[i];
+  }
+  return result;
+}
+
+template MatchedPressure<3> matched_pressure(const Problem<3>&, const Nodes<3>&, const ContactForces&,
+                                             const std::vector<char>&);
 template struct PressureResult<2>;
 template struct PressureResult<3>;
 template class PressureSolver<2>;

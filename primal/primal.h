@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "contact/contact.h"
@@ -79,6 +80,18 @@ template <int dim> class PressureSolver {
   struct Rows;
   std::shared_ptr<const Rows> rows_;
 };
+
+/// Both displacements of a problem.
+template <int dim> struct Solved {
+  Result<dim> displacements;
+  PressureResult<dim> with_pressure;  ///< if the former are solved
+};
+
+/// Who solves a problem in place of Solver, as Solver::solve() and Solver::solve_with_pressure() would; each call may
+/// be on a mesh of its own.
+template <int dim>
+using Engine =
+    std::function<Solved<dim>(const scene::Problem<dim>& problem, int degree, const std::vector<char>& closed)>;
 
 /// The same, once.
 template <int dim>

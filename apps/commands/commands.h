@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "primal/primal.h"
 #include "scene/scene.h"
 
 /// The program: commands, reports and plots. Each command prints its results to standard output, notes and progress to
@@ -27,6 +28,8 @@ struct RunOptions {
   bool last_level = false;             ///< write the fields of the last level only
   bool pictures = true;                ///< draw pictures, write report.html and the sheet
   bool png = false;                    ///< pictures as PNG too
+  int ranks = 0;                       ///< processes that share the displacements; 0: the program itself has them
+  const primal::Engine<3>* engine = nullptr;  ///< who has them; null: the program itself
 };
 
 /// Solves a scene, prints a line of each level as it is done, then the answer and the report. The folder holds the
@@ -35,6 +38,13 @@ struct RunOptions {
 /// not_guaranteed where one
 ///        of the formulations found no fields or the memory did not suffice for them
 Ending run(const RunOptions& options);
+
+/// Has bracket-mpi do these words, a run, on options.ranks processes of MPI, each with one thread of BLAS. What mpirun
+/// itself says is left out. \param words without --ranks
+/// \return as that run ended
+/// \throw scene::Error (input) if there is no bracket-mpi or no mpirun; where one of the processes died: budget if a
+///        level was done, else not_guaranteed
+Ending run_on_ranks(const RunOptions& options, std::vector<std::string> words);
 
 /// Solves a scene uniformly and adaptively, with degree 1 and 2, each until the budget of its [refine], and compares
 /// what accuracy costs: a table, study.csv, study.json and study.svg. Ctrl-C ends it after the level that it is in.

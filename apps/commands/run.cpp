@@ -89,7 +89,10 @@ template <int dim> void write_level_if_it_fits(Results<dim>& results, ReportOf<d
 template <int dim> bounds::Outcome<dim> solve(Results<dim>& results) {
   const RunOptions& options = results.options;
   Watch watch(!options.quiet);
-  return bounds::run(results.scene, watch.observer<dim>("", [&](const bounds::Outcome<dim>& outcome) {
+  primal::Engine<dim> engine;
+  if constexpr (dim == 3)
+    if (options.engine != nullptr) engine = *options.engine;
+  const auto observer = watch.observer<dim>("", [&](const bounds::Outcome<dim>& outcome) {
     watch.show("writing");
     ReportOf<dim> so_far = report_so_far(results, outcome);
     write_level_if_it_fits(results, so_far);
@@ -97,7 +100,8 @@ template <int dim> bounds::Outcome<dim> solve(Results<dim>& results) {
     if (options.quiet || options.json) return;
     if (outcome.levels.size() == 1) std::cout << scene_text(results.scene) << "\n" << level_names(results.scene);
     std::cout << level_line(so_far) << std::flush;
-  }));
+  });
+  return bounds::run(results.scene, observer, engine);
 }
 
 std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
@@ -241,6 +245,9 @@ template <int dim> Ending run_in(const RunOptions& options, const Clock& clock) 
 
 Ending run(const RunOptions& options) {
   const Clock clock;
+  if (options.engine != nullptr && !is_in_space(options.scene, options.overrides))
+    throw scene::Error(scene::Status::input, options.scene.string(),
+                       "several processes solve scenes in space only (dim = 3): run it without --ranks");
   return is_in_space(options.scene, options.overrides) ? run_in<3>(options, clock) : run_in<2>(options, clock);
 }
 

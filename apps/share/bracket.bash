@@ -13,7 +13,7 @@ _bracket() {
     check) options="--set --json" ;;
     info) options="--json" ;;
     init|help) ;;
-    *) options="--set -o --json --quiet --all-levels --last-level --png --no-report" ;;
+    *) options="--set -o --json --quiet --all-levels --last-level --png --no-report --ranks" ;;
   esac
   compopt -o filenames 2>/dev/null
   if ((COMP_CWORD == 1)); then
