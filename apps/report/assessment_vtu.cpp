@@ -13,8 +13,8 @@ template <int dim> std::string assessment_vtu(const bounds::AssessmentOf<dim>& a
   const int linear_type = dim == 2 ? 5 : 10, quadratic_type = dim == 2 ? 22 : 24;
   VtkGrid grid{.cell_type = quadratic ? quadratic_type : linear_type,
                .points_per_cell = quadratic ? scene::Simplex<dim>::n_quadratic : dim + 1};
-  std::vector<double> displacements, share, density;
-  const auto append = [](std::vector<double>& values, const scene::Vector<dim>& vector) {
+  LargeArray<double> displacements, share, density;
+  const auto append = [](LargeArray<double>& values, const scene::Vector<dim>& vector) {
     values.insert(values.end(), vector.begin(), vector.end());
     if (dim == 2) values.push_back(0);
   };
@@ -33,7 +33,7 @@ template <int dim> std::string assessment_vtu(const bounds::AssessmentOf<dim>& a
     density.push_back(assessment.cell[cell] / scene::volume(mesh, static_cast<int>(cell)));
   }
   grid.point_data = {vtk_array("displacement", "Float64", displacements, {"x", "y", "z"})};
-  grid.cell_data = {vtk_array("body", "Int32", std::vector<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
+  grid.cell_data = {vtk_array("body", "Int32", LargeArray<std::int32_t>(mesh.cell_body.begin(), mesh.cell_body.end())),
                     vtk_array("error_squared", "Float64", share), vtk_array("error_density", "Float64", density)};
   return vtu(std::move(grid));
 }

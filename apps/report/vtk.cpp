@@ -70,7 +70,7 @@ int cell_type(int order) { return order == 1 ? 5 : order == 2 ? 22 : 69; }
 
 /// The stresses at points, both of them and what is told of their mean.
 struct Stresses {
-  std::vector<double> of_displacement, equilibrated, von_mises, principal;
+  LargeArray<double> of_displacement, equilibrated, von_mises, principal;
 
   explicit Stresses(std::size_t points)
       : of_displacement(6 * points), equilibrated(6 * points), von_mises(points), principal(2 * points) {}
@@ -81,9 +81,9 @@ void set_stresses(Stresses& stresses, std::size_t point, const scene::Material<2
   const auto across = [&](const scene::Voigt<2>& s) {
     return stress_across(material, plane, s).value_or(std::numeric_limits<double>::quiet_NaN());
   };
-  const auto set = [&](std::vector<double>& values, const scene::Voigt<2>& s) {
-    const std::array<double, 4> nonzero = {s[0], s[1], across(s), s[2]};
-    std::ranges::copy(nonzero, values.begin() + static_cast<std::ptrdiff_t>(6 * point));
+  const auto set = [&](LargeArray<double>& values, const scene::Voigt<2>& s) {
+    const std::array<double, 6> all = {s[0], s[1], across(s), s[2], 0, 0};
+    std::ranges::copy(all, values.begin() + static_cast<std::ptrdiff_t>(6 * point));
   };
   set(stresses.of_displacement, of_displacement);
   set(stresses.equilibrated, equilibrated);
@@ -98,14 +98,15 @@ DrawnShape shape_of(const Report& report) {
   return drawn_shape(report.outcome.problem, magnification(report.outcome.problem, report.outcome.displacement));
 }
 
-void append(std::vector<float>& values, const scene::Vector<2>& vector) {
+void append(LargeArray<float>& values, const scene::Vector<2>& vector) {
   values.insert(values.end(), {static_cast<float>(vector.x()), static_cast<float>(vector.y()), 0.0F});
 }
 
-/// x and y of a point; z stays 0.
-template <class Number> void set(std::vector<Number>& values, std::size_t point, const scene::Vector<2>& vector) {
+/// With a third coordinate 0.
+template <class Number> void set(LargeArray<Number>& values, std::size_t point, const scene::Vector<2>& vector) {
   values[3 * point] = static_cast<Number>(vector.x());
   values[3 * point + 1] = static_cast<Number>(vector.y());
+  values[3 * point + 2] = 0;
 }
 
 }  // namespace
@@ -119,10 +120,10 @@ template <> std::string solution_vtu(const Report& report) {
   VtkGrid grid{.cell_type = cell_type(displacement.degree), .points_per_cell = static_cast<int>(lattice.size())};
   const std::size_t n_parts = 3 * mesh.cells.size(), n_points = n_parts * lattice.size();
   grid.points.resize(3 * n_points);
-  std::vector<double> displacements(3 * n_points), share(n_parts), density(n_parts);
-  std::vector<float> drawn(3 * n_points);
+  LargeArray<double> displacements(3 * n_points), share(n_parts), density(n_parts);
+  LargeArray<float> drawn(3 * n_points);
   Stresses stresses(n_points);
-  std::vector<std::int32_t> body(n_parts);
+  LargeArray<std::int32_t> body(n_parts);
   const DrawnShape shape = shape_of(report);
   const auto facets = facets_of_cells(mesh);
   const auto weights = weights_of(lattice, displacement.degree, stress.degree);
@@ -164,8 +165,9 @@ template <> std::string solution_vtu(const Report& report) {
   grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(stresses.equilibrated), vtk_tensor));
   grid.point_data.push_back(vtk_array("von_mises", "Float64", std::move(stresses.von_mises)));
   grid.point_data.push_back(vtk_array("principal", "Float64", std::move(stresses.principal), {"larger", "smaller"}));
-  grid.cell_data = {vtk_array("body", "Int32", std::move(body)), vtk_array("indicator", "Float64", std::move(share)),
-                    vtk_array("indicator_density", "Float64", std::move(density))};
+  grid.cell_data.push_back(vtk_array("body", "Int32", std::move(body)));
+  grid.cell_data.push_back(vtk_array("indicator", "Float64", std::move(share)));
+  grid.cell_data.push_back(vtk_array("indicator_density", "Float64", std::move(density)));
   grid.field_data = about(report, shape.factor);
   return vtu(std::move(grid));
 }
@@ -177,9 +179,9 @@ template <> std::string contact_vtu(const Report& report) {
   std::size_t pieces = 1;                              // of a facet: as fine as gaps and pressures need
   for (const auto& state : report.contact)
     pieces = std::max({pieces, samples(state.gap_left).size() - 1, samples(state.pressure).size() - 1});
-  std::vector<double> displacements, pressure, of_displacement, gap, share;
-  std::vector<float> drawn;
-  std::vector<std::int32_t> pair;
+  LargeArray<double> displacements, pressure, of_displacement, gap, share;
+  LargeArray<float> drawn;
+  LargeArray<std::int32_t> pair;
   const DrawnShape shape = shape_of(report);
   for (std::size_t i = 0; i < problem.contact.size(); ++i) {
     const int facet = problem.contact[i].first;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace bracket::apps {
 namespace {
@@ -26,17 +27,28 @@ std::string announce(const VtkArray& data, std::size_t offset) {
                      data.type, data.name, components, offset);
 }
 
+std::string_view bytes(const VtkArray& array) {
+  return std::visit(
+      [](const auto& values) {
+        return std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+      },
+      array.values);
+}
+
 // The arrays of VTK's three obligatory sections: where the points are, and which of them make a cell.
 std::vector<VtkArray> topology(VtkGrid& grid) {
   const std::size_t n_points = grid.points.size() / 3;
   const std::size_t n_cells = n_points / grid.points_per_cell;
-  std::vector<std::int32_t> connectivity(n_points), offsets(n_cells);
+  LargeArray<std::int32_t> connectivity(n_points), offsets(n_cells);
   for (std::size_t i = 0; i < n_points; ++i) connectivity[i] = static_cast<std::int32_t>(i);
   for (std::size_t i = 0; i < n_cells; ++i) offsets[i] = static_cast<std::int32_t>((i + 1) * grid.points_per_cell);
-  const std::vector<std::uint8_t> types(n_cells, static_cast<std::uint8_t>(grid.cell_type));
-  return {vtk_array("Points", "Float64", std::move(grid.points), {"x", "y", "z"}),
-          vtk_array("connectivity", "Int32", std::move(connectivity)),
-          vtk_array("offsets", "Int32", std::move(offsets)), vtk_array("types", "UInt8", types)};
+  LargeArray<std::uint8_t> types(n_cells, static_cast<std::uint8_t>(grid.cell_type));
+  std::vector<VtkArray> arrays;
+  arrays.push_back(vtk_array("Points", "Float64", std::move(grid.points), {"x", "y", "z"}));
+  arrays.push_back(vtk_array("connectivity", "Int32", std::move(connectivity)));
+  arrays.push_back(vtk_array("offsets", "Int32", std::move(offsets)));
+  arrays.push_back(vtk_array("types", "UInt8", std::move(types)));
+  return arrays;
 }
 
 /// A number or a text of field data as text: of a double all digits; of a text its bytes as numbers, and a zero.
@@ -78,7 +90,7 @@ std::string vtu(VtkGrid grid) {
     header += fmt::format("<{}>\n", name);
     for (VtkArray& each : arrays) {
       header += announce(each, offset);
-      offset += sizeof(std::uint64_t) + each.bytes.size();
+      offset += sizeof(std::uint64_t) + bytes(each).size();
       order.push_back(&each);
     }
     header += fmt::format("</{}>\n", name);
@@ -97,16 +109,18 @@ std::string vtu(VtkGrid grid) {
   const std::string end = "\n</AppendedData>\n</VTKFile>\n";
   std::string file;
   file.reserve(header.size() + offset + end.size());
+  contact::use_large_pages(file.data(), file.capacity());
   file += header;
   for (VtkArray* each : order) {
-    const std::uint64_t size = each->bytes.size();
+    const std::uint64_t size = bytes(*each).size();
     file.append(reinterpret_cast<const char*>(&size), sizeof size);
-    file += std::exchange(each->bytes, {});
+    file += bytes(*each);
+    std::visit([](auto& values) { std::remove_reference_t<decltype(values)>().swap(values); }, each->values);
   }
   return file += end;
 }
 
-void append(std::vector<double>& points, const scene::Vector<2>& point) {
+void append(LargeArray<double>& points, const scene::Vector<2>& point) {
   points.insert(points.end(), {point.x(), point.y(), 0.0});
 }
 

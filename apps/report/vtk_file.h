@@ -1,30 +1,32 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstring>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "contact/large_array.h"
 #include "scene/scene.h"
 
 /// VTK's XML files of unstructured grids.
 namespace bracket::apps {
 
+using contact::LargeArray;
+
 struct VtkArray {
   std::string name;
   std::string type;                     ///< as VTK calls it
   std::vector<std::string> components;  ///< their names; one without name: a scalar
-  std::string bytes;
+  std::variant<LargeArray<double>, LargeArray<float>, LargeArray<std::int32_t>, LargeArray<std::uint8_t>> values;
 };
 
-/// \param values to be moved in where they are large: all numbers of a level are, and are held once
+/// \param values to be moved in: all numbers of a level are, and are held once
 template <typename Number>
-VtkArray vtk_array(std::string name, const char* type, std::vector<Number> values,
+VtkArray vtk_array(std::string name, const char* type, LargeArray<Number> values,
                    std::vector<std::string> components = {""}) {
-  std::string bytes(values.size() * sizeof(Number), '\0');
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return {std::move(name), type, std::move(components), std::move(bytes)};
+  return {std::move(name), type, std::move(components), std::move(values)};
 }
 
 /// What holds of a file as a whole: numbers, some to a tuple, or texts.
@@ -38,7 +40,7 @@ struct VtkField {
 struct VtkGrid {
   int cell_type = 0;  ///< VTK's number
   int points_per_cell = 0;
-  std::vector<double> points = {};  ///< x, y, z of each; the points of a cell follow one another and are its own
+  LargeArray<double> points = {};  ///< x, y, z of each; the points of a cell follow one another and are its own
   std::vector<VtkArray> point_data = {};
   std::vector<VtkArray> cell_data = {};
   std::vector<VtkField> field_data = {};
@@ -47,6 +49,6 @@ struct VtkGrid {
 /// The file: appended raw data, field data as text.
 std::string vtu(VtkGrid grid);
 
-void append(std::vector<double>& points, const scene::Vector<2>& point);  ///< with a third coordinate 0
+void append(LargeArray<double>& points, const scene::Vector<2>& point);  ///< with a third coordinate 0
 
 }  // namespace bracket::apps

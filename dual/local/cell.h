@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The Bracket developers. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dual/local/large_array.h"
+#include "contact/large_array.h"
 #include "dual/local/small_blocks.h"
 #include "scene/balanced_block.h"
 #include "scene/scene.h"
@@ -128,7 +128,7 @@ template <int dim> struct Energy {
                             ///< in balance have; not numbers where H is singular
   Eigen::Matrix<double, n_cell_loads<dim>, dim> by_body_force;  ///< B
 };
-template <int dim> using Energies = LargeArray<Energy<dim>>;
+template <int dim> using Energies = contact::LargeArray<Energy<dim>>;
 template <int dim> Energy<dim> energy_of(const scene::Problem<dim>& problem, int cell);
 template <int dim> Energies<dim> energies_of(const scene::Problem<dim>& problem);  ///< of all cells
 

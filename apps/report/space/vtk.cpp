@@ -57,11 +57,11 @@ std::array<std::vector<Node>, 4> nodes_of_parts(int degree) {
   return result;
 }
 
-template <class Number> void store(std::vector<Number>& values, std::size_t point, const Vector<3>& vector) {
+template <class Number> void store(LargeArray<Number>& values, std::size_t point, const Vector<3>& vector) {
   for (int k = 0; k < 3; ++k) values[3 * point + k] = static_cast<Number>(vector[k]);
 }
 
-void store(std::vector<double>& values, std::size_t point, const Voigt<3>& s) {
+void store(LargeArray<double>& values, std::size_t point, const Voigt<3>& s) {
   const std::array<double, 6> own = {s[0], s[1], s[2], s[5], s[3], s[4]};  // Simplex::voigt ends yz, xz, xy
   std::ranges::copy(own, values.begin() + static_cast<std::ptrdiff_t>(6 * point));
 }
@@ -81,10 +81,10 @@ template <> std::string solution_vtu(const ReportOf<3>& report) {
   const std::size_t per_part = nodes[0].size(), n_parts = 4 * mesh.cells.size(), n_points = n_parts * per_part;
   VtkGrid grid{.cell_type = displacement.degree == 1 ? 10 : 24, .points_per_cell = static_cast<int>(per_part)};
   grid.points.resize(3 * n_points);
-  std::vector<double> displacements(3 * n_points), of_displacement(6 * n_points), equilibrated(6 * n_points);
-  std::vector<double> mises(n_points), principal(3 * n_points), share(n_parts), density(n_parts);
-  std::vector<float> drawn(3 * n_points);
-  std::vector<std::int32_t> body(n_parts);
+  LargeArray<double> displacements(3 * n_points), of_displacement(6 * n_points), equilibrated(6 * n_points);
+  LargeArray<double> mises(n_points), principal(3 * n_points), share(n_parts), density(n_parts);
+  LargeArray<float> drawn(3 * n_points);
+  LargeArray<std::int32_t> body(n_parts);
   const DrawnShapeOf<3> shape = shape_in_space(report);
   const auto facets = facets_of_cells(mesh);
   scene::for_each_index(static_cast<int>(mesh.cells.size()), [&](int cell) {
@@ -118,8 +118,9 @@ template <> std::string solution_vtu(const ReportOf<3>& report) {
   grid.point_data.push_back(vtk_array("stress_equilibrated", "Float64", std::move(equilibrated), vtk_tensor));
   grid.point_data.push_back(vtk_array("von_mises", "Float64", std::move(mises)));
   grid.point_data.push_back(vtk_array("principal", "Float64", std::move(principal), {"largest", "middle", "smallest"}));
-  grid.cell_data = {vtk_array("body", "Int32", std::move(body)), vtk_array("indicator", "Float64", std::move(share)),
-                    vtk_array("indicator_density", "Float64", std::move(density))};
+  grid.cell_data.push_back(vtk_array("body", "Int32", std::move(body)));
+  grid.cell_data.push_back(vtk_array("indicator", "Float64", std::move(share)));
+  grid.cell_data.push_back(vtk_array("indicator_density", "Float64", std::move(density)));
   grid.field_data = about(report, shape.factor);
   return vtu(std::move(grid));
 }
@@ -130,9 +131,9 @@ template <> std::string contact_vtu(const ReportOf<3>& report) {
   const std::size_t n_points = 6 * problem.contact.size();
   VtkGrid grid{.cell_type = 22, .points_per_cell = 6};
   grid.points.resize(3 * n_points);
-  std::vector<double> displacements(3 * n_points), pressure, of_displacement, gap, share;
-  std::vector<float> drawn(3 * n_points);
-  std::vector<std::int32_t> pair;
+  LargeArray<double> displacements(3 * n_points), pressure, of_displacement, gap, share;
+  LargeArray<float> drawn(3 * n_points);
+  LargeArray<std::int32_t> pair;
   const DrawnShapeOf<3> shape = shape_in_space(report);
   const auto on_face = [](const std::array<double, 3>& point, const auto& at_vertices) {
     using Value = std::remove_cvref_t<decltype(at_vertices[0])>;

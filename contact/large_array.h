@@ -7,7 +7,7 @@
 
 #include "contact/large_pages.h"
 
-namespace bracket::dual {
+namespace bracket::contact {
 
 /// Of arrays that are much of the memory: not set to zero before they are written, and in large pages where the system
 /// has them, as small ones take longer to come by than the numbers on them to compute.
@@ -19,7 +19,7 @@ template <class T> struct LargeAllocator {
 
   T* allocate(std::size_t n) {
     T* const memory = static_cast<T*>(::operator new(n * sizeof(T), alignment(n)));
-    contact::use_large_pages(memory, n);
+    use_large_pages(memory, n);
     return memory;
   }
   void deallocate(T* memory, std::size_t n) { ::operator delete(memory, alignment(n)); }
@@ -35,4 +35,4 @@ template <class T> struct LargeAllocator {
 
 template <class T> using LargeArray = std::vector<T, LargeAllocator<T>>;
 
-}  // namespace bracket::dual
+}  // namespace bracket::contact
