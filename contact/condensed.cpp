@@ -18,15 +18,6 @@ VectorXd Condensed::apply_with(VectorXd half, VectorXd further) const {
   return factor.backward(factor.plus_last(std::move(half), further));
 }
 
-Sparse pinned_stiffness(Sparse stiffness, const std::vector<int>& pinned) {
-  std::vector<char> is_pinned(stiffness.rows(), 0);
-  for (int i : pinned) is_pinned[i] = 1;
-  for (int j = 0; j < stiffness.outerSize(); ++j)
-    for (Sparse::InnerIterator entry(stiffness, j); entry; ++entry)
-      if (entry.row() != j && (is_pinned[j] || is_pinned[entry.row()])) entry.valueRef() = 0;
-  return stiffness;
-}
-
 std::vector<int> contact_unknowns(const Sparse& rows) {
   std::vector<int> result;
   for (int j = 0; j < rows.outerSize(); ++j)

@@ -21,9 +21,6 @@ struct Condensed {
   Eigen::VectorXd apply_with(Eigen::VectorXd half, Eigen::VectorXd further) const;
 };
 
-/// K with the pinned unknowns cut off from the others (a diagonal entry is left to them).
-Eigen::SparseMatrix<double> pinned_stiffness(Eigen::SparseMatrix<double> stiffness, const std::vector<int>& pinned);
-
 /// The unknowns that contact rows touch, in increasing order.
 std::vector<int> contact_unknowns(const Eigen::SparseMatrix<double>& rows);
 

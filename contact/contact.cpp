@@ -244,11 +244,8 @@ Bodies::Bodies(std::vector<System> systems, bool rows_may_depend) {
   made.seconds.order = watch.lap();
 
   for (std::size_t b = 0; b < elastic->systems.size() && elastic->not_definite < 0; ++b) {
-    const Sparse& stiffness = elastic->systems[b].stiffness;
     auto& [pinned, factor] = elastic->condensed[b];
-    const bool definite =
-        pinned.empty() ? factor.factorise(stiffness) : factor.factorise(pinned_stiffness(stiffness, pinned));
-    if (!definite) elastic->not_definite = static_cast<int>(b);
+    if (!factor.factorise(elastic->systems[b].stiffness, pinned)) elastic->not_definite = static_cast<int>(b);
   }
   made.seconds.factorise = watch.lap();
 

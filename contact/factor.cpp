@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "contact/contact.h"
-#include "contact/large_pages.h"
+#include "contact/large_array.h"
 
 namespace bracket::contact {
 namespace {
@@ -23,20 +23,52 @@ void set_blas_threads(int count) {
   if (void* set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Set*>(set)(count);
 }
 
-/// K as CHOLMOD sees it; it only reads.
-cholmod_sparse view(const Eigen::SparseMatrix<double>& matrix) {
+/// A lower triangle as CHOLMOD sees it; it only reads. \param begin of each column, and their end
+cholmod_sparse view(std::size_t n, const int* begin, const int* rows, const double* values, bool sorted) {
   cholmod_sparse result{};
-  result.nrow = matrix.rows();
-  result.ncol = matrix.cols();
-  result.nzmax = matrix.nonZeros();
-  result.p = const_cast<int*>(matrix.outerIndexPtr());
-  result.i = const_cast<int*>(matrix.innerIndexPtr());
-  result.x = const_cast<double*>(matrix.valuePtr());
+  result.nrow = result.ncol = n;
+  result.nzmax = begin[n];
+  result.p = const_cast<int*>(begin);
+  result.i = const_cast<int*>(rows);
+  result.x = const_cast<double*>(values);
   result.stype = -1;
   result.itype = CHOLMOD_INT;
   result.xtype = CHOLMOD_REAL;
   result.dtype = CHOLMOD_DOUBLE;
-  result.sorted = result.packed = 1;
+  result.sorted = sorted;
+  result.packed = 1;
+  return result;
+}
+
+/// The lower triangle of P K Pᵀ, rows in any order. CHOLMOD itself would transpose K twice for it.
+struct Permuted {
+  std::vector<int> begin;
+  LargeArray<int> rows;
+  LargeArray<double> values;
+};
+
+/// \param unknown that comes k-th, k = 0 …   \param pinned as Factor::factorise() has them
+Permuted permuted(const Eigen::SparseMatrix<double>& stiffness, const int* unknown, const std::vector<int>& pinned) {
+  const int n = static_cast<int>(stiffness.cols());
+  std::vector<int> place(n);
+  for (int k = 0; k < n; ++k) place[unknown[k]] = k;
+  std::vector<char> is_pinned(n, 0);
+  for (const int i : pinned) is_pinned[i] = 1;
+
+  using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+  const auto room = static_cast<std::size_t>(stiffness.nonZeros()) + 1;  // CHOLMOD takes no null pointers
+  Permuted result{std::vector<int>(n + 1, 0), LargeArray<int>(room), LargeArray<double>(room)};
+  for (int j = 0; j < n; ++j)
+    for (Entry entry(stiffness, j); entry; ++entry) ++result.begin[std::min(place[j], place[entry.row()]) + 1];
+  for (int k = 0; k < n; ++k) result.begin[k + 1] += result.begin[k];
+  std::vector<int> next(result.begin.begin(), result.begin.end() - 1);
+  for (int j = 0; j < n; ++j)
+    for (Entry entry(stiffness, j); entry; ++entry) {
+      const int i = static_cast<int>(entry.row());
+      const int at = next[std::min(place[j], place[i])]++;
+      result.rows[at] = std::max(place[j], place[i]);
+      result.values[at] = i != j && (is_pinned[i] || is_pinned[j]) ? 0 : entry.value();
+    }
   return result;
 }
 
@@ -122,7 +154,8 @@ Factor::Factor(const Eigen::SparseMatrix<double>& stiffness, const std::vector<i
   handle_->is_last.assign(stiffness.rows(), 0);
   for (int i : last) handle_->is_last[i] = 1;
   std::vector<int> permutation = order(nodes, sequence, last, handle_->is_last);
-  cholmod_sparse matrix = view(stiffness);
+  cholmod_sparse matrix =
+      view(stiffness.cols(), stiffness.outerIndexPtr(), stiffness.innerIndexPtr(), stiffness.valuePtr(), true);
   handle_->factor = cholmod_analyze_p(&matrix, permutation.data(), nullptr, 0, &handle_->common);
   if (!handle_->factor) throw std::bad_alloc();
 }
@@ -134,24 +167,27 @@ double Factor::entries() const {
   return factor ? static_cast<double>(factor->xsize) + static_cast<double>(factor->maxcsize) : 0;
 }
 
-bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness) {
+bool Factor::factorise(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& pinned) {
   if (stiffness.rows() == 0) return true;
-  cholmod_sparse matrix = view(stiffness);
-  // CHOLMOD asks OpenMP for four threads for every supernode, whatever else runs: they wait for each other in loops.
-  int done = 0;
-  if (handle_->factor->xtype == CHOLMOD_PATTERN) {  // the memory of L, as CHOLMOD would take it itself
-    if (!cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, handle_->factor, &handle_->common)) throw std::bad_alloc();
-    use_large_pages(static_cast<double*>(handle_->factor->x), handle_->factor->xsize);
-  }
+  const int* const unknown = static_cast<const int*>(handle_->factor->Perm);
+  {
+    const Permuted k = permuted(stiffness, unknown, pinned);
+    cholmod_sparse matrix = view(stiffness.cols(), k.begin.data(), k.rows.data(), k.values.data(), false);
+    if (handle_->factor->xtype == CHOLMOD_PATTERN) {  // the memory of L, as CHOLMOD would take it itself
+      if (!cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, handle_->factor, &handle_->common)) throw std::bad_alloc();
+      use_large_pages(static_cast<double*>(handle_->factor->x), handle_->factor->xsize);
+    }
+    double nothing_added[2] = {0, 0};
+    // CHOLMOD asks OpenMP for four threads for every supernode, whatever else runs: they wait for each other in loops.
 #pragma omp teams num_teams(1) thread_limit(1)
-  done = cholmod_factorize(&matrix, handle_->factor, &handle_->common);
-  if (!done) throw std::bad_alloc();
+    cholmod_super_numeric(&matrix, nullptr, nothing_added, handle_->factor, &handle_->common);
+  }
+  if (handle_->common.status < CHOLMOD_OK) throw std::bad_alloc();  // not definite: a warning, above it
   const cholmod_factor& factor = *handle_->factor;
   if (factor.minor < factor.n) return false;
   // A singular matrix need not give a pivot ≤ 0: in rounding a small one may remain, of either sign.
   constexpr double lost = 1e-13;
   const Eigen::VectorXd diagonal = stiffness.diagonal();
-  const int* const unknown = static_cast<const int*>(factor.Perm);
   const Supernodes nodes(factor);
   for (int s = 0; s < nodes.count; ++s)
     for (int c = nodes.super[s]; c < nodes.super[s + 1]; ++c) {

@@ -29,8 +29,9 @@ class Factor {
   /// How many numbers L and the space to compute it in take.
   double entries() const;
   /// Computes L. \param stiffness the matrix that was laid out, or one with the same pattern
+  /// \param pinned unknowns that are cut off from the others (a diagonal entry is left to them)
   /// \return whether it is definite: no pivot is lost in rounding
-  bool factorise(const Eigen::SparseMatrix<double>& stiffness);
+  bool factorise(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& pinned = {});
   /// K⁻¹ b = Pᵀ L⁻ᵀ (L⁻¹ P b) by halves, each of which reads all of L; from several threads at once, too.
   /// \pre factorise() returned true; so below
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return backward(forward(b)); }
