@@ -82,7 +82,9 @@ TEST(LawsAsWritten, AJumpThatIsNoQuadratic) {
       EXPECT_LE(outcome.lower - told, exact);
       EXPECT_GE(outcome.upper + told, exact);
       EXPECT_GT(told, 0);
-      if (before > 0) EXPECT_LE(told, before / (degree == 1 ? 3 : 6));
+      if (before > 0) {
+        EXPECT_LE(told, before / (degree == 1 ? 3 : 6));
+      }
       before = told;
     }
   }

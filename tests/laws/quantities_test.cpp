@@ -30,9 +30,12 @@ TEST(LawQuantities, WidthsBesideSpringsAreSumsOfSquares) {
       const auto u = displacements->solve(problem);
       const auto lambda = stresses->solve(problem);
       const auto certificate = bounds::certify(problem, u.displacement, lambda.stress);
-      const bounds::SolvedLevel<2> level{
-          problem,           {displacements, stresses}, {u.closed, lambda.closed},
-          certificate.lower, certificate.upper,         bounds::indicator(problem, u.displacement, lambda.stress)};
+      const bounds::SolvedLevel<2> level{problem,
+                                         {displacements, stresses, nullptr},
+                                         {u.closed, lambda.closed},
+                                         certificate.lower,
+                                         certificate.upper,
+                                         bounds::indicator(problem, u.displacement, lambda.stress)};
       for (const auto& asked : {along(quantity(QuantityKind::displacement, "upper.top"), 1, 2),
                                 quantity(QuantityKind::rotation, "upper.top"),
                                 weighted(quantity(QuantityKind::force, "upper.bottom"),
@@ -45,8 +48,9 @@ TEST(LawQuantities, WidthsBesideSpringsAreSumsOfSquares) {
         EXPECT_GE(width, 0);
         const double rounding =
             1e-14 * std::abs(certificate.lower) / found.level.s + 1e-14 * std::abs(found.level.upper) + 1e-17;
-        if (found.level.lower != 0)  // else a force that is known not to pull, cut off
+        if (found.level.lower != 0) {  // else a force that is known not to pull, cut off
           EXPECT_NEAR(found.plain_width, width, 1e-9 * width + rounding);
+        }
         EXPECT_NEAR(found.indicator.sum, found.plain_width, found.plain_width);
         wide += width > 1e-7;
       }
@@ -80,12 +84,12 @@ TEST(LawQuantities, OfSidesThatKeepTogetherHaveOneWeight) {
 // A footing of ν = 0 under the pressure a + b x, x from its middle: u_y = −(a + b x)(y/E + 1/k), as far as the springs
 // press or pull. Both spaces have it, and none of the interval is left.
 TEST(LawQuantities, AFootingOnSpringsIsExact) {
-  constexpr double young = 20, k = 4, b = 0.2, give = 1 / young + 1 / k;
+  constexpr double modulus = 20, k = 4, b = 0.2, give = 1 / modulus + 1 / k;
   for (const bool pulls : {false, true}) {
     const double a = pulls ? 0.05 : 0.3;
     scene::Scene<2> s;
     s.blocks = {block("footing", -1, 1, 0, 1, 4, 2)};
-    s.bodies = {{"footing", scene::isotropic<2>(young, 0, scene::Plane::strain)}};
+    s.bodies = {{"footing", scene::isotropic<2>(modulus, 0, scene::Plane::strain)}};
     s.boundary = {{"footing.top", pressure(scene::enclosed<2>([a](const auto& x) { return a + 0.2 * x[0]; }))}};
     s.contact = {{"footing.bottom", "rigid", {}, ""}};
     const auto outcome =

@@ -33,8 +33,9 @@ TEST(LocalTerms, add_up_to_the_width) {
   const auto lambda = stresses->solve(problem);
   const auto certificate = bounds::certify(problem, u.displacement, lambda.stress);
   const auto indicator = bounds::indicator(problem, u.displacement, lambda.stress);
-  const bounds::SolvedLevel<2> level{problem,           {displacements, stresses}, {u.closed, lambda.closed},
-                                     certificate.lower, certificate.upper,         indicator};
+  const bounds::SolvedLevel<2> level{
+      problem,  {displacements, stresses, nullptr}, {u.closed, lambda.closed}, certificate.lower, certificate.upper,
+      indicator};
   int wide = 0;
   for (const auto& asked : some_of_each()) {
     SCOPED_TRACE(asked.name);

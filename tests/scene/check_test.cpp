@@ -140,7 +140,9 @@ TEST(Check, StressesBuiltLocallyHaveNoQuantities) {
   scene.solve.dual = Dual::local;
   EXPECT_NO_THROW(check(scene));
   Scene<2> asks = scene, zones = scene;
-  asks.quantities.push_back({.name = "e", .kind = QuantityKind::energy});
+  asks.quantities.emplace_back();
+  asks.quantities[0].name = "e";
+  asks.quantities[0].kind = QuantityKind::energy;
   expect_fault([&] { check(asks); }, {"[[quantity]]", "solve.dual = \"hybrid\""});
   zones.contact.push_back({"b.bottom", "a.top", constant(0)});
   zones.contact.back().zones = 2;

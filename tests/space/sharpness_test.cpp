@@ -58,7 +58,9 @@ TEST_F(LocalInSpace, is_little_wider_than_the_best_after_one_sweep) {
     EXPECT_LE(found.width[1], most) << name;
     for (std::size_t i = 0; i < found.width.size(); ++i) {
       EXPECT_GE(found.width[i], 1 - 1e-9) << name;
-      if (i > 0) EXPECT_LE(found.width[i], found.width[i - 1] * (1 + 1e-12)) << name;
+      if (i > 0) {
+        EXPECT_LE(found.width[i], found.width[i - 1] * (1 + 1e-12)) << name;
+      }
     }
     EXPECT_GE(found.least_pressure, -1e-13) << name;
   }

@@ -41,7 +41,9 @@ TEST_F(RunInSpace, TheReportHasThePlanesKeys) {
   EXPECT_EQ(space["dim"], 3);
   EXPECT_FALSE(plane.contains("dim"));
   for (const auto& [key, value] : plane.items())
-    if (key != "plane") EXPECT_TRUE(space.contains(key)) << key;
+    if (key != "plane") {
+      EXPECT_TRUE(space.contains(key)) << key;
+    }
   for (const auto& [key, value] : plane["levels"][0].items()) EXPECT_TRUE(space["levels"][0].contains(key)) << key;
   for (const auto& [key, value] : plane["checks"].items()) EXPECT_TRUE(space["checks"].contains(key)) << key;
   for (const char* key : {"force", "pressed_area", "largest_pressure", "largest_gap", "resultant_y", "at", "grows"})
@@ -161,7 +163,9 @@ TEST_F(RunInSpace, LeavesASheet) {
   EXPECT_NE(sheet["data_and_geometry"]["said"].dump().find("tetrahedra"), std::string::npos);
   EXPECT_EQ(sheet.dump().find("across the plane"), std::string::npos);
   for (const Json& found : sheet["findings"])
-    if (!found["at"].is_null()) EXPECT_EQ(found["at"].size(), 3u);
+    if (!found["at"].is_null()) {
+      EXPECT_EQ(found["at"].size(), 3u);
+    }
   const std::string html = read("boxes.out/sheet.html");
   EXPECT_NE(html.find("Numerical uncertainty"), std::string::npos);
   EXPECT_NE(html.find("three dimensions"), std::string::npos);

@@ -103,8 +103,9 @@ TEST(DataInSpace, WhatIsLeftOutIsBoundedPartByPart) {
           for (const OnFace& to : part) {  // a mean slope
             const OnFace near = {at[0] + 0.01 * (to[0] - at[0]), at[1] + 0.01 * (to[1] - at[1])};
             const double length = (place(face, near) - place(face, at)).norm();
-            if (all[f].is_enclosed())
+            if (all[f].is_enclosed()) {
               EXPECT_LE(std::abs(left(near) - left(at)), slope * length * (1 + 1e-9) + 1e-14) << f;
+            }
           }
         }
         EXPECT_LE(most, largest * (1 + 1e-12) + 1e-15) << f;
