@@ -84,12 +84,12 @@ TEST(LawQuantities, OfSidesThatKeepTogetherHaveOneWeight) {
 // A footing of ν = 0 under the pressure a + b x, x from its middle: u_y = −(a + b x)(y/E + 1/k), as far as the springs
 // press or pull. Both spaces have it, and none of the interval is left.
 TEST(LawQuantities, AFootingOnSpringsIsExact) {
-  constexpr double modulus = 20, k = 4, b = 0.2, give = 1 / modulus + 1 / k;
+  constexpr double own_young = 20, k = 4, b = 0.2, give = 1 / own_young + 1 / k;
   for (const bool pulls : {false, true}) {
     const double a = pulls ? 0.05 : 0.3;
     scene::Scene<2> s;
     s.blocks = {block("footing", -1, 1, 0, 1, 4, 2)};
-    s.bodies = {{"footing", scene::isotropic<2>(modulus, 0, scene::Plane::strain)}};
+    s.bodies = {{"footing", scene::isotropic<2>(own_young, 0, scene::Plane::strain)}};
     s.boundary = {{"footing.top", pressure(scene::enclosed<2>([a](const auto& x) { return a + 0.2 * x[0]; }))}};
     s.contact = {{"footing.bottom", "rigid", {}, ""}};
     const auto outcome =
