@@ -55,7 +55,7 @@ template <int dim> std::map<std::pair<int, int>, std::vector<Place<dim>>> places
 
 /// γ c h² ∫ [p]² at each of them, c = (C⁻¹)₁₁ of the sides, h a facet's height: displacements of degree 2 do not see
 /// pressures that jump to and fro. Not across a ridge, where the pressure may jump.
-template <int dim> Triplets jumps(const Approach<dim>& approach) {
+template <int dim> Eigen::SparseMatrix<double> jumps(const Approach<dim>& approach) {
   constexpr double gamma = 0.1, ridge = 0.8;
   const Problem<dim>& problem = approach.problem;
   const auto& mesh = problem.mesh;
@@ -92,7 +92,10 @@ template <int dim> Triplets jumps(const Approach<dim>& approach) {
                 entries.emplace_back(unknowns[v][s], unknowns[w][t], (s == t ? 1 : -1) * factor * mass);
           }
       }
-  return entries;
+  const auto m = static_cast<Eigen::Index>(dim * problem.contact.size());
+  Eigen::SparseMatrix<double> result(m, m);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 }  // namespace
@@ -119,10 +122,7 @@ template <int dim> PressureSolver<dim>::PressureSolver(const Solver<dim>& displa
     rows.back().setFromTriplets(entries[b].begin(), entries[b].end());
     rows.back().prune([](auto, auto, double value) { return value != 0; });  // at the tip of a crack both sides are one
   }
-  const Triplets of_jumps = jumps(approach);
-  Eigen::SparseMatrix<double> added(m, m);
-  added.setFromTriplets(of_jumps.begin(), of_jumps.end());
-  rows_ = std::make_shared<const Rows>(Rows{of, of->bodies.with_rows(std::move(rows), std::move(added))});
+  rows_ = std::make_shared<const Rows>(Rows{of, of->bodies.with_rows(std::move(rows), jumps(approach))});
 }
 
 template <int dim>
@@ -224,14 +224,11 @@ MatchedPressure<dim> matched_pressure(const Problem<dim>& problem, const Nodes<d
   springs.rows.resize(m, n + motions);
   springs.rows.setFromTriplets(entries.begin(), entries.end());
   springs.rows.prune([](auto, auto, double value) { return value != 0; });
-  const Triplets of_jumps = jumps(approach);
-  Eigen::SparseMatrix<double> added(m, m);
-  added.setFromTriplets(of_jumps.begin(), of_jumps.end());
   std::vector<Eigen::SparseMatrix<double>> of_springs = {springs.rows};
   std::vector<contact::System> systems;
   systems.push_back(std::move(springs));
   const contact::Solution solution = contact::Bodies(std::move(systems), true)
-                                         .with_rows(std::move(of_springs), std::move(added))
+                                         .with_rows(std::move(of_springs), jumps(approach))
                                          .solve({load}, left, guess, limits);
   result.termination = solution.termination;
   if (solution.termination != contact::Termination::solved) return result;

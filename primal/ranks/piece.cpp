@@ -52,6 +52,11 @@ std::vector<idx_t> parts(const scene::Problem<3>& problem, int processes) {
 
 }  // namespace
 
+void make_distinct(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 Pieces cut(const scene::Problem<3>& problem, const Nodes<3>& nodes, const std::vector<std::vector<int>>& linked,
            int processes) {
   const auto& mesh = problem.mesh;
@@ -101,8 +106,7 @@ Pieces cut(const scene::Problem<3>& problem, const Nodes<3>& nodes, const std::v
   }
   for (int p = 0; p < processes; ++p) {
     pieces.of[p].n_nodes = numbered;
-    std::sort(pieces.at[p].begin(), pieces.at[p].end());
-    pieces.at[p].erase(std::unique(pieces.at[p].begin(), pieces.at[p].end()), pieces.at[p].end());
+    make_distinct(pieces.at[p]);
   }
   return pieces;
 }

@@ -26,6 +26,9 @@ struct Pieces {
   std::vector<std::vector<int>> at;  ///< of each process: which of Nodes::node its cells have, sorted
 };
 
+/// Sorts numbers and leaves each of them once.
+void make_distinct(std::vector<int>& numbers);
+
 /// The mesh cut by METIS in as many parts as there are processes, bodies that touch seen as one.
 /// \param linked nodes that contact may tie to each other; a process that owns one of them has the cells of all
 Pieces cut(const scene::Problem<3>& problem, const Nodes<3>& nodes, const std::vector<std::vector<int>>& linked,

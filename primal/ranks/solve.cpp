@@ -57,18 +57,14 @@ struct OnProcesses {
 Answer OnProcesses::solve(const std::vector<Tie>& ties, const std::vector<int>& pinned, const VectorXd& load,
                           double tolerance, VectorXd& q) {
   const auto& nodes = unknowns.nodes.node;
-  std::vector<char> kept(q.size(), 1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int k = nodes[i].free; k < 3; ++k) kept[3 * i + k] = 0;
-  for (const Tie& tie : ties) kept[tie.unknown] = 0;
-  for (const int pin : pinned) kept[pin] = 0;
+  const std::vector<char> is_kept = kept(unknowns, ties, pinned);
   VectorXd own = load;
   for (const Tie& tie : ties)
     for (const auto& [other, factor] : tie.others) own[other] += factor * load[tie.unknown];
   VectorXd to = VectorXd::Zero(q.size()), start = to;
   const auto place = [&](Index unknown) { return 3 * Index{pieces.number[unknown / 3]} + unknown % 3; };
   for (Index i = 0; i < q.size(); ++i)
-    if (kept[i]) {
+    if (is_kept[i]) {
       to[place(i)] = own[i];
       start[place(i)] = q[i];
     }
@@ -93,11 +89,11 @@ Answer OnProcesses::solve(const std::vector<Tie>& ties, const std::vector<int>& 
     direct = true;
     answer = solved();
   }
-  for (Index i = 0; i < q.size(); ++i) q[i] = kept[i] ? answer.unknowns[place(i)] : 0;
+  for (Index i = 0; i < q.size(); ++i) q[i] = is_kept[i] ? answer.unknowns[place(i)] : 0;
   for (const Tie& tie : ties) {
     q[tie.unknown] = tie.constant;
     for (const auto& [other, factor] : tie.others)
-      if (kept[other]) q[tie.unknown] += factor * q[other];
+      if (is_kept[other]) q[tie.unknown] += factor * q[other];
   }
   VectorXd forces(q.size());  // K u by the unknowns' directions
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -124,15 +124,11 @@ void System::Parts::make_matrix(const std::vector<Tied>& cells, OwnedMat& matrix
       if (own(i)) {
         auto& list = beside[i - piece.first];
         list.insert(list.end(), cell.nodes.begin(), cell.nodes.end());
-        if (list.size() > 512) {
-          std::sort(list.begin(), list.end());
-          list.erase(std::unique(list.begin(), list.end()), list.end());
-        }
+        if (list.size() > 512) make_distinct(list);
       }
   std::vector<PetscInt> inside(n, 0), outside(n, 0);
   for (int i = 0; i < n; ++i) {
-    std::sort(beside[i].begin(), beside[i].end());
-    beside[i].erase(std::unique(beside[i].begin(), beside[i].end()), beside[i].end());
+    make_distinct(beside[i]);
     for (const int j : beside[i]) ++(own(j) ? inside : outside)[i];
     beside[i] = {};
   }
@@ -254,8 +250,7 @@ void System::Parts::tell(const std::vector<TiedNode>& tied, const std::vector<Ti
     }
     if (concerned[c]) wanted.insert(wanted.end(), cells[c].nodes.begin(), cells[c].nodes.end());
   }
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  make_distinct(wanted);
   OwnedIndices from;
   check(ISCreateBlock(comm, 3, static_cast<PetscInt>(wanted.size()), wanted.data(), PETSC_COPY_VALUES, &from.is));
   OwnedVec values;
@@ -335,7 +330,6 @@ Answer System::solve(const std::vector<TiedNode>& tied, const Way& way, const Ei
   of.make_matrix(cells, matrix);
   of.assemble(tied, cells, matrix.is);
   check(MatSetOption(matrix.is, MAT_SPD, PETSC_TRUE));
-  of.set_near_kernel(tied, matrix.is);
 
   OwnedKsp solver;
   PC preconditioner = nullptr;
@@ -352,6 +346,7 @@ Answer System::solve(const std::vector<TiedNode>& tied, const Way& way, const Ei
     check(KSPSetTolerances(solver.is, way.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, 2000));
     check(KSPSetInitialGuessNonzero(solver.is, PETSC_TRUE));
     check(PCSetType(preconditioner, PCGAMG));
+    of.set_near_kernel(tied, matrix.is);
   }
   check(KSPSetFromOptions(solver.is));
   check(KSPSetUp(solver.is));

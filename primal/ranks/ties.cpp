@@ -5,8 +5,8 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <map>
-#include <numeric>
 
 namespace bracket::primal {
 
@@ -25,28 +25,24 @@ Unknowns unknowns_of(const scene::Problem<3>& problem, const Nodes<3>& nodes, co
     for (const int i : cell_nodes(mesh, nodes, static_cast<int>(c)))
       for (int k = 0; k < nodes.node[i].free; ++k)
         of.of_body[mesh.cell_component[c]][nodes.node[i].unknown + k] = 3 * i + k;
-  std::vector<int> leader(of.size());  // a forest
-  std::iota(leader.begin(), leader.end(), 0);
-  const auto root = [&](int q) {
-    while (leader[q] != q) q = leader[q] = leader[leader[q]];
-    return q;
-  };
+  std::vector<int> ranks(of.size()), parents(of.size());
+  boost::disjoint_sets<int*, int*> together(ranks.data(), parents.data());
+  for (int q = 0; q < of.size(); ++q) together.make_set(q);
   for (const Row& row : rows) {
     of.terms.emplace_back();
     for (const auto& [body, unknown, coefficient] : row.entries) {
       of.terms.back().emplace_back(of.of_body[body][unknown], coefficient);
-      leader[root(of.terms.back().back().first)] = root(of.terms.back().front().first);
+      together.union_set(of.terms.back().back().first, of.terms.back().front().first);
     }
   }
   std::map<int, Unknowns::Group> groups;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    Unknowns::Group& group = groups[root(of.terms[i].front().first)];
+    Unknowns::Group& group = groups[together.find_set(of.terms[i].front().first)];
     group.rows.push_back(static_cast<int>(i));
     for (const auto& [q, coefficient] : of.terms[i]) group.unknowns.push_back(q);
   }
   for (auto& [first, group] : groups) {
-    std::sort(group.unknowns.begin(), group.unknowns.end());
-    group.unknowns.erase(std::unique(group.unknowns.begin(), group.unknowns.end()), group.unknowns.end());
+    make_distinct(group.unknowns);
     of.groups.push_back(std::move(group));
   }
   return of;
@@ -120,37 +116,40 @@ Eigen::MatrixXd free_motions(const Unknowns& unknowns, const Eigen::MatrixXd& mo
 std::vector<int> pins(const Unknowns& unknowns, const Eigen::MatrixXd& motions, const std::vector<Tie>& ties) {
   if (motions.cols() == 0) return {};
   Eigen::MatrixXd candidates = motions.transpose();
-  for (const Tie& tie : ties) candidates.col(tie.unknown).setZero();
-  for (std::size_t i = 0; i < unknowns.nodes.node.size(); ++i)
-    for (int k = unknowns.nodes.node[i].free; k < 3; ++k)
-      candidates.col(3 * static_cast<Eigen::Index>(i) + k).setZero();
+  const std::vector<char> can = kept(unknowns, ties, {});
+  for (Eigen::Index q = 0; q < unknowns.size(); ++q)
+    if (!can[q]) candidates.col(q).setZero();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(candidates);
   const Eigen::VectorXi order = qr.colsPermutation().indices().cast<int>();
   return {order.data(), order.data() + motions.cols()};
 }
 
+std::vector<char> kept(const Unknowns& unknowns, const std::vector<Tie>& ties, const std::vector<int>& pinned) {
+  const auto& nodes = unknowns.nodes.node;
+  std::vector<char> result(unknowns.size(), 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int k = nodes[i].free; k < 3; ++k) result[3 * i + k] = 0;
+  for (const Tie& tie : ties) result[tie.unknown] = 0;
+  for (const int q : pinned) result[q] = 0;
+  return result;
+}
+
 std::vector<TiedNode> tied_nodes(const Unknowns& unknowns, const std::vector<int>& number, const std::vector<Tie>& ties,
                                  const std::vector<int>& pinned) {
   const auto& nodes = unknowns.nodes.node;
-  std::vector<char> kept(unknowns.size(), 1);  // unknowns that are
-  std::map<int, TiedNode> tied;                // by index of Nodes::node
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (int k = nodes[i].free; k < 3; ++k) kept[3 * i + k] = 0;
+  const std::vector<char> is_kept = kept(unknowns, ties, pinned);
+  std::map<int, TiedNode> tied;  // by index of Nodes::node
+  for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].free < 3 || !nodes[i].directions.isIdentity(0)) tied[static_cast<int>(i)];
-  }
   for (const auto& group : unknowns.groups)
     for (const int q : group.unknowns) tied[q / 3].asked = true;
-  for (const Tie& tie : ties) kept[tie.unknown] = 0;
-  for (const int q : pinned) {
-    kept[q] = 0;
-    tied[q / 3];
-  }
+  for (const int q : pinned) tied[q / 3];
   for (auto& [i, node] : tied) {
     node.node = number[i];
     node.offset = nodes[i].prescribed;
     Eigen::Matrix3d own = nodes[i].directions;
     for (int k = 0; k < 3; ++k)
-      if (!kept[3 * i + k]) own.col(k).setZero();
+      if (!is_kept[3 * i + k]) own.col(k).setZero();
     node.of = {{number[i], own}};
   }
   for (const Tie& tie : ties) {
@@ -159,7 +158,7 @@ std::vector<TiedNode> tied_nodes(const Unknowns& unknowns, const std::vector<int
     const scene::Vector<3> direction = nodes[i].directions.col(k);
     node.offset += tie.constant * direction;
     for (const auto& [q, factor] : tie.others) {
-      if (!kept[q]) continue;
+      if (!is_kept[q]) continue;
       auto at = std::ranges::find(node.of, number[q / 3], [](const auto& entry) { return entry.first; });
       if (at == node.of.end()) at = node.of.insert(at, {number[q / 3], Eigen::Matrix3d::Zero()});
       at->second.col(q % 3) += factor * direction;
@@ -167,7 +166,6 @@ std::vector<TiedNode> tied_nodes(const Unknowns& unknowns, const std::vector<int
   }
   std::vector<TiedNode> result;
   for (auto& [i, node] : tied) result.push_back(std::move(node));
-  std::ranges::sort(result, {}, &TiedNode::node);
   return result;
 }
 

@@ -43,7 +43,10 @@ Eigen::MatrixXd free_motions(const Unknowns& unknowns, const Eigen::MatrixXd& mo
 /// As many unknowns as there are motions, none of them tied, whose values tell the motions apart.
 std::vector<int> pins(const Unknowns& unknowns, const Eigen::MatrixXd& motions, const std::vector<Tie>& ties);
 
-/// The nodes that are not free, sorted by their number.
+/// Of each unknown whether it is one still: it is free, and neither tied nor pinned.
+std::vector<char> kept(const Unknowns& unknowns, const std::vector<Tie>& ties, const std::vector<int>& pinned);
+
+/// The nodes that are not free, in the order of Nodes::node.
 /// \param number of each node in the System   \param pinned unknowns that are kept at zero
 std::vector<TiedNode> tied_nodes(const Unknowns& unknowns, const std::vector<int>& number, const std::vector<Tie>& ties,
                                  const std::vector<int>& pinned);
